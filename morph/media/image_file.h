@@ -1,0 +1,77 @@
+#pragma once
+// Still images in files. The only place, with its neighbours, that knows OpenImageIO. Colour and alpha are converted
+// here, once: what comes out is linear, premultiplied float RGBA; what goes in is written as its format wants it.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "warp/image.h"
+
+namespace morphkit::media {
+
+enum class ColorSpace {
+  kAuto,  ///< what the file says; without a tag 8- and 16-bit are sRGB, float is linear
+  kSrgb,
+  kLinear
+};
+
+/// "auto" | "srgb" | "linear". @throws Error kUsage naming the choices.
+ColorSpace color_space_from(const std::string& name);
+
+/// What a file says of itself, from its header alone.
+struct ImageInfo {
+  std::filesystem::path file;
+  std::string format;         ///< "png", "openexr", ...
+  int width = 0, height = 0;  ///< px, after EXIF orientation
+  int channels = 0;
+  bool has_alpha = false;
+  std::string channel_type;                                   ///< "uint8", "uint16", "half", "float"
+  std::string color_space;                                    ///< "sRGB" or "linear": how morphkit will read it
+  int orientation = 1;                                        ///< EXIF, 1..8, as stored
+  std::int64_t bytes = 0;                                     ///< file size
+  std::vector<std::pair<std::string, std::string>> metadata;  ///< everything else, as text, in the file's order
+};
+
+/// Metadata that is carried from a source to the frames made from it. Opaque outside morph/media.
+class Metadata;
+
+struct Picture {
+  warp::Image image;
+  ImageInfo info;
+  std::int64_t nonfinite_pixels = 0;  ///< pixels with NaN or infinity, replaced by transparent black
+  std::shared_ptr<const Metadata> metadata;
+};
+
+/// @throws Error kIo (missing, unreadable, a directory) or kBadInput (not an image, truncated, too large).
+ImageInfo read_info(const std::filesystem::path& file);
+Picture read_picture(const std::filesystem::path& file, ColorSpace space = ColorSpace::kAuto);
+
+/// How pixels are stored; kAuto is the format's usual type (PNG, JPEG, WebP, TGA, GIF 8 bit; TIFF 16; EXR half).
+enum class Depth { kAuto, k8, k16, kHalf, kFloat };
+
+/// "auto" | "8" | "16" | "half" | "float". @throws Error kUsage.
+Depth depth_from(const std::string& name);
+
+struct WriteOptions {
+  Depth depth = Depth::kAuto;
+  int quality = 95;                          ///< JPEG and WebP, 1..100
+  std::shared_ptr<const Metadata> metadata;  ///< carried over if given
+  bool overwrite = false;
+};
+
+/// Writes one image, atomically: a temporary name beside it, then a rename. Formats without alpha get the image over
+/// black. @throws Error kIo; kUsage for an unknown extension or a depth that the format has not; kIo if the file exists
+/// and overwrite is off.
+void write_image(const std::filesystem::path& file, const warp::Image& image, const WriteOptions& options = {});
+
+/// Two channels R, G as they are, 32-bit float EXR (an STMap), atomically. Values are not colour-converted.
+void write_map(const std::filesystem::path& file, const warp::Map& map, bool overwrite);
+
+/// Tells whether write_image knows the file's extension.
+bool is_image_extension(const std::filesystem::path& file);
+
+}  // namespace morphkit::media

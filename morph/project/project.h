@@ -1,0 +1,147 @@
+#pragma once
+// The document: two pictures, what corresponds to what, how the change is timed, and what comes out.
+// A plain value; the JSON that it is read from and written to is known by morph/project alone (docs/project-file.md).
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "morph/motion/curve.h"
+#include "morph/motion/easing.h"
+#include "warp/line_field.h"
+#include "warp/sample.h"
+
+namespace morphkit::project {
+
+/// How an in-between line is formed.
+enum class Between {
+  kEndpoints,  ///< each end moves straight; a line that turns shrinks on the way (the paper)
+  kCentre      ///< centre and length move straight, the angle turns
+};
+
+/// What may be set per project, per group and per feature; the nearest one given wins.
+struct Influence {
+  std::optional<double> a, b, p;  ///< warp::LineWeight
+  std::optional<warp::LineScale> scale;
+  std::optional<Between> between;
+  std::optional<double> turns;  ///< whole extra turns on the way, kCentre only; positive is clockwise on screen
+  std::optional<motion::Timing> shape;
+  std::optional<motion::Timing> dissolve;
+  bool operator==(const Influence&) const = default;
+};
+
+enum class FeatureKind { kLine, kPoint, kCurve };
+
+/// One pair of marks. Coordinates are pixels of the image of each side.
+struct Feature {
+  std::string id;     ///< unique, not empty
+  std::string group;  ///< id of a group, or empty
+  FeatureKind kind = FeatureKind::kLine;
+  std::vector<cv::Point2d> source;       ///< line: 2 points; point: 1; curve: as CurveKind needs
+  std::vector<cv::Point2d> destination;  ///< likewise; a curve may have another number of points than its partner
+  motion::CurveKind curve = motion::CurveKind::kCatmullRom;  ///< kCurve only
+  bool closed = false;                                       ///< kCurve only
+  Influence influence;
+  bool operator==(const Feature&) const = default;
+};
+
+struct Group {
+  std::string id;
+  Influence influence;
+  bool operator==(const Group&) const = default;
+};
+
+struct Side {
+  std::filesystem::path image;  ///< as written; relative paths resolve against the project file
+  std::string colorspace;       ///< empty: from the file; "srgb" | "linear"
+  bool operator==(const Side&) const = default;
+};
+
+struct Warp {
+  std::string method = "lines";
+  warp::Filter filter = warp::Filter::kBicubic;
+  /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
+  std::optional<warp::Border> border;
+  bool operator==(const Warp&) const = default;
+};
+
+enum class Blend {
+  kLinear,  ///< mixes light
+  kDisplay  ///< mixes display-referred (sRGB) values, the look of old tools
+};
+
+enum class Fit { kContain, kCover, kStretch, kNone };
+
+/// Straight (not premultiplied) display-referred sRGB and alpha, each in [0, 1].
+struct Color {
+  double r = 0, g = 0, b = 0, a = 0;
+  bool operator==(const Color&) const = default;
+};
+
+/// What lies behind the morph: a colour (alpha 0: transparency) or an image, placed with `cover`.
+using Background = std::variant<Color, std::filesystem::path>;
+
+struct Output {
+  std::optional<cv::Size> size;  ///< px; nothing: the size of the source image
+  Fit fit = Fit::kCover;
+  int frames = 48;  ///< >= 1
+  int start = 1;    ///< number of the first frame
+  int fps_num = 24, fps_den = 1;
+  Background background = Color{};
+  bool operator==(const Output&) const = default;
+};
+
+/// The whole document. Defaults of `influence` at the end of the chain: a = 1, b = 2, p = 0, along, endpoints,
+/// 0 turns, linear shape and dissolve.
+struct Project {
+  Side source, destination;
+  std::vector<Feature> features;
+  std::vector<Group> groups;
+  Warp warp;
+  Influence influence;  ///< "warp" (a, b, p, scale, between, turns) and "transition" (shape, dissolve) of the project
+  Blend blend = Blend::kLinear;
+  Output output;
+
+  std::filesystem::path file;  ///< where it was loaded from; empty for one made in memory
+
+  /// The text it was loaded from, so that saving keeps order, number spelling and explicit defaults.
+  std::shared_ptr<const std::string> original;
+};
+
+/// A path of the document (an image) as seen from the current directory.
+std::filesystem::path resolve(const Project& project, const std::filesystem::path& path);
+
+/// Everything that applies to `feature`, resolved through its group and the project to the defaults: no member is
+/// empty.
+Influence effective(const Project& project, const Feature& feature);
+
+/// Of the project itself, resolved to the defaults.
+Influence effective(const Project& project);
+
+/// Reads and validates a project.
+/// @throws Error kIo if it cannot be read, kBadInput naming file and JSON pointer otherwise.
+Project load(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages and relative paths resolve against its folder.
+Project parse(const std::string& text, const std::filesystem::path& name);
+
+/// The document as text that `parse` reads back equal; keeps what `original` shows of order and spelling.
+std::string to_text(const Project& project);
+
+/// Writes to_text atomically (temporary name, then rename). @throws Error kIo.
+void save(const Project& project, const std::filesystem::path& file);
+
+/// Features only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "groups": [...]}, laid
+/// over `project` (its images and output stay). For `morph A B --features F`.
+void load_features(Project& project, const std::filesystem::path& file);
+
+/// The JSON Schema (2020-12) that the loader is tested against.
+std::string schema_text();
+
+}  // namespace morphkit::project

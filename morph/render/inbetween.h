@@ -1,0 +1,32 @@
+#pragma once
+// Features of both sides -> the lines of one moment.
+
+#include <string>
+#include <vector>
+
+#include "morph/project/project.h"
+#include "morph/render/placement.h"
+#include "warp/line_field.h"
+
+namespace morphkit::render {
+
+/// A line of the canvas on both sides, with all that decides its moment. Points have p == q; curves are chains of
+/// these.
+struct LinePair {
+  warp::Line source, destination;  ///< canvas px
+  project::Influence influence;    ///< no member empty
+  int feature = -1;                ///< index into Project::features
+};
+
+/// All features as pairs of canvas lines; curves become chains of equal arc length on both sides.
+std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source,
+                                 const Placement& destination);
+
+/// The line at progress s from source (0) to destination (1). s = 0 and 1 give the ends bit for bit.
+warp::Line between(const LinePair& pair, double s);
+
+/// The lines of the moment t in [0, 1]: in-between lines, targets (source, destination), weights, and the dissolve
+/// progress of each feature as its value.
+std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t);
+
+}  // namespace morphkit::render

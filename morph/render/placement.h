@@ -1,0 +1,31 @@
+#pragma once
+// Where a picture of its own size lies on the canvas.
+
+#include <opencv2/core/types.hpp>
+
+#include "morph/project/project.h"
+
+namespace morphkit::render {
+
+/// canvas = image * scale + offset, per axis.
+struct Placement {
+  cv::Point2d scale{1, 1};
+  cv::Point2d offset{0, 0};
+
+  cv::Point2d to_canvas(cv::Point2d image) const {
+    return {image.x * scale.x + offset.x, image.y * scale.y + offset.y};
+  }
+  cv::Point2d to_image(cv::Point2d canvas) const {
+    return {(canvas.x - offset.x) / scale.x, (canvas.y - offset.y) / scale.y};
+  }
+  bool is_identity() const { return scale == cv::Point2d{1, 1} && offset == cv::Point2d{0, 0}; }
+};
+
+/// Places an image centred on the canvas. kNone keeps its size, kContain shows all of it, kCover fills the canvas,
+/// kStretch changes its aspect. The identity if the sizes are equal.
+Placement place(cv::Size image, cv::Size canvas, project::Fit fit);
+
+/// Whether the placed image reaches every edge of the canvas.
+bool covers(const Placement& placement, cv::Size image, cv::Size canvas);
+
+}  // namespace morphkit::render

@@ -1,0 +1,69 @@
+#pragma once
+// The feature-line field of Beier and Neely, "Feature-Based Image Metamorphosis", SIGGRAPH 1992.
+
+#include <span>
+#include <vector>
+
+#include "warp/image.h"
+
+namespace morphkit::warp {
+
+/// A directed line from p to q. If both ends coincide it is a point.
+struct Line {
+  cv::Point2d p, q;
+};
+
+/// How strongly a line pulls: w = (length^p / (a + distance))^b.
+struct LineWeight {
+  double a = 1;  ///< px, >= 0; 0: pixels on the line follow it exactly
+  double b = 2;  ///< [0, 8]; how fast the pull falls with distance
+  double p = 0;  ///< [0, 1]; how much longer lines pull more
+};
+
+/// How distances from a line scale between the two sides.
+enum class LineScale {
+  kAlong,   ///< stretch along the line only; distances across stay (the paper)
+  kUniform  ///< a similarity: distances across scale with the line's length (Parent 3.8.2)
+};
+
+/// One feature line of the output frame and where it lies in every target image.
+struct FieldLine {
+  Line output;                ///< output frame
+  std::vector<Line> targets;  ///< one per target, target frame
+  LineWeight weight;
+  LineScale scale = LineScale::kAlong;
+  double value = 0;  ///< any scalar that belongs to the feature; spread by the same weights
+};
+
+/// For an output pixel centre X, X_target = X + sum(w (X' - X)) / sum(w), with X' the image of X under each pair. The
+/// weights depend on the output lines only, so one pass serves any number of targets.
+class LineField {
+ public:
+  /// @param lines    finite coordinates; every line has `targets` targets; a line that is a point in the output is a
+  ///                 point in all targets and the other way round (in-between lines of valid pairs keep this, except a
+  ///                 line that turns through length 0 on its way, which then acts as a point at its place).
+  /// @param targets  number of targets, >= 1.
+  /// @throws std::invalid_argument on a broken contract, naming the line.
+  LineField(std::span<const FieldLine> lines, int targets);
+
+  int targets() const noexcept;
+  bool empty() const noexcept;  ///< no lines: the identity
+
+  /// Target positions of the centres of output pixels (x_begin + i, y), i in [0, n).
+  /// @param positions  one span of length n per target.
+  /// @param values     weighted mean of the lines' values, length n; or empty if not wanted. 0 without lines.
+  /// Accuracy: class T, within kFieldTolerancePx of reference_row. The result for a pixel does not depend on how a row
+  /// is cut, provided x_begin is a multiple of kFieldBlock. Thread-safe. Cost: O(n x lines); see bench/field.
+  void row(int y, int x_begin, std::span<const std::span<MapPoint>> positions, std::span<float> values = {}) const;
+
+  /// The specification: the same in plain scalar double arithmetic.
+  void reference_row(int y, int x_begin, std::span<const std::span<MapPoint>> positions,
+                     std::span<float> values = {}) const;
+};
+
+/// Bound on |row - reference_row|, px.
+inline constexpr double kFieldTolerancePx = 0.004;
+/// Pixels per block of a row.
+inline constexpr int kFieldBlock = 64;
+
+}  // namespace morphkit::warp

@@ -1,0 +1,45 @@
+#pragma once
+// The only door to oneTBB: parallel rows and a bounded frame pipeline over one persistent arena.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace morphkit::warp {
+
+/// Bounds the number of threads that morphkit and OpenCV use; 0 means all that the machine has. Results never depend
+/// on it. Call before work starts, not while it runs.
+void set_threads(int threads);
+
+/// The number of threads in use, at least 1.
+int threads();
+
+namespace detail {
+using RowsFunction = void (*)(const void* context, int begin, int end);
+void run_rows(int height, int grain, RowsFunction function, const void* context);
+}  // namespace detail
+
+/// Calls `fn(begin, end)` for consecutive bands of rows that cover [0, height). The bands depend on height and grain
+/// only, never on the number of threads. `fn` must be safe to call from several threads at once.
+/// @param grain  rows per band, at least 1.
+template <typename Fn>
+void for_rows(int height, const Fn& fn, int grain = 8) {
+  detail::run_rows(
+      height, grain, [](const void* context, int begin, int end) { (*static_cast<const Fn*>(context))(begin, end); },
+      &fn);
+}
+
+/// What runs through the frame pipeline; see run_pipeline.
+struct PipelineStages {
+  std::function<std::shared_ptr<void>(std::int64_t index)> make;                       ///< any order, several at once
+  std::function<void(std::int64_t index, const std::shared_ptr<void>& item)> deliver;  ///< one at a time, in order
+};
+
+/// Makes items 0 .. count-1 and delivers them in order, with at most `in_flight` alive at once. An exception in a stage
+/// stops the pipeline and is rethrown. `cancelled` is asked before each item; true ends the run early, after the items
+/// already begun have been delivered.
+/// @return  number of items delivered.
+std::int64_t run_pipeline(std::int64_t count, int in_flight, const PipelineStages& stages,
+                          const std::function<bool()>& cancelled);
+
+}  // namespace morphkit::warp
