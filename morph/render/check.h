@@ -1,0 +1,38 @@
+#pragma once
+// Lint for a morph: what will tear, fold or be lost, found before anybody renders it.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "morph/render/renderer.h"
+
+namespace morphkit::render {
+
+struct Finding {
+  enum class Kind {
+    kCrossing,       ///< two lines cross: pixels there are pulled two ways
+    kTwins,          ///< two lines lie almost on each other but lead to different places
+    kOutsideImage,   ///< a mark lies outside its picture
+    kOutsideCanvas,  ///< a feature lies wholly outside the canvas: the fit crops it
+    kFold            ///< the map turns over: a piece of the picture is drawn mirrored
+  };
+  Kind kind = Kind::kCrossing;
+  bool warning = true;                ///< false: a note, worth knowing and no defect
+  std::string where;                  ///< "source", "destination" or "in between"
+  std::vector<std::string> features;  ///< ids concerned; for a fold the nearest ones
+  cv::Point2d position;               ///< px: of that side's picture, or of the canvas for "in between" and folds
+  double t = 0;                       ///< moment (folds and "in between")
+  int count = 0;                      ///< fold: connected regions
+  std::int64_t area_px = 0;           ///< fold: canvas pixels, all regions
+  std::string message;                ///< one sentence for people
+};
+
+/// The name of a kind in reports: "crossing", "twins", "outside-image", "outside-canvas", "fold".
+const char* name_of(Finding::Kind kind);
+
+/// Everything noteworthy, crossings first. Folds are looked for at t = 0, 1/4, 1/2, 3/4 and 1 on each side that shows
+/// at that moment; each side reports its worst. Cost: lines^2 and ten maps of canvas size.
+std::vector<Finding> check(const Renderer& renderer);
+
+}  // namespace morphkit::render

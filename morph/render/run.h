@@ -1,0 +1,33 @@
+#pragma once
+// Frames of a renderer into a sink: ranges, resuming, several frames in work at once, bounded memory.
+
+#include <functional>
+#include <vector>
+
+#include "morph/media/frame_sink.h"
+#include "morph/render/renderer.h"
+
+namespace morphkit::render {
+
+/// What `run` tells its watcher after each frame, and in the end.
+struct Progress {
+  int done = 0;     ///< frames rendered
+  int skipped = 0;  ///< frames that were already there
+  int total = 0;    ///< frames asked for
+  int frame = 0;    ///< number of the frame just finished
+};
+
+struct RunOptions {
+  std::vector<int> frames;  ///< frame numbers, rising
+  bool resume = false;      ///< skip frames that are already there
+  int in_flight = 0;        ///< frames alive at once; 0: as many as keep the threads busy and memory small
+  std::function<void(const Progress&)> on_progress;
+  std::function<bool()> cancelled;
+};
+
+/// Renders frames into a sink and finishes it. Frames are encoded while others are rendered and reach the sink in
+/// order. Memory: the pictures and `in_flight` frames, whatever the number of frames.
+/// @throws Error kInterrupted if cancelled before the end, after the frames in work were delivered.
+Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions& options);
+
+}  // namespace morphkit::render
