@@ -1,7 +1,6 @@
 #pragma once
-// Curves through points in the plane, and travel along them by arc length.
+// Curves through points in the plane. Travel along them: morph/motion/arc_length.h.
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,34 +22,31 @@ class Curve {
   /// @throws std::invalid_argument with the sentence of `problem` if the points do not make a curve.
   Curve(CurveKind kind, std::vector<cv::Point2d> points, bool closed);
 
-  /// Why these points make no curve of this kind (too few, wrong number, not finite, zero length), or nothing.
+  /// Why these points make no curve of this kind (too few, wrong number, not finite, beyond 1e12, zero length), or
+  /// nothing.
   static std::optional<std::string> problem(CurveKind kind, const std::vector<cv::Point2d>& points, bool closed);
 
-  int segments() const noexcept;
+  int segments() const noexcept { return static_cast<int>(bezier_.size() / 3); }
+  bool closed() const noexcept { return closed_; }
+
+  /// The point at u, which is clamped to [0, segments()]; at whole u exactly the point on the curve.
   cv::Point2d at(double u) const;
+  /// dQ/du; at a joint that of the segment that begins there. Zero at a cusp and on a segment without length.
   cv::Point2d derivative(double u) const;
 
  private:
   std::vector<cv::Point2d> bezier_;  ///< 3 * segments + 1 control points
-};
-
-/// Arc length along a curve and its inverse: an adaptive table of (u, s), refined until halves agree with the whole
-/// (Guenter & Parent 1990; Parent 3.2.1).
-class ArcLength {
- public:
-  /// @param tolerance  absolute error of the total length, same unit as the points.
-  explicit ArcLength(const Curve& curve, double tolerance = 1e-6);
-
-  double total() const noexcept;
-  double length_at(double u) const;     ///< s in [0, total]
-  double parameter_at(double s) const;  ///< u; bracketed Newton, bisection where |Q'| is near 0
+  bool closed_ = false;
 };
 
 /// n + 1 points along the curve at equal arc length, from its start to its end (for a closed curve the last equals the
 /// first). n >= 1.
 std::vector<cv::Point2d> equal_arc_points(const Curve& curve, int n);
 
-/// The number of chords, in [1, limit], that keeps equal-arc chords within `tolerance_px` of the curve.
+/// The smallest number of chords, in [1, limit], for which every point of the curve is within `tolerance_px` (> 0) of
+/// the equal-arc chord that spans it; `limit` if no number does. Closed: at least 3. A larger number need not be as
+/// good: it may cut a corner that a smaller one meets. Corners of a polyline at uneven lengths cost many chords. Cost:
+/// O(limit^2) point-to-chord distances at worst.
 int chords_needed(const Curve& curve, double tolerance_px, int limit);
 
 }  // namespace morphkit::motion
