@@ -68,6 +68,11 @@ struct WriteOptions {
 /// and overwrite is off.
 void write_image(const std::filesystem::path& file, const warp::Image& image, const WriteOptions& options = {});
 
+/// The bytes that write_image would put into a file of this name; the file itself is not touched. Safe to call from
+/// several threads at once. @throws Error kUsage as write_image does, kFailed if the codec gives up.
+std::vector<std::uint8_t> encode_image(const std::filesystem::path& name, const warp::Image& image,
+                                       const WriteOptions& options = {});
+
 /// Two channels R, G as they are, 32-bit float EXR (an STMap), atomically. Values are not colour-converted.
 void write_map(const std::filesystem::path& file, const warp::Map& map, bool overwrite);
 
