@@ -1,0 +1,96 @@
+#include "morph/render/check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pictures.h"
+
+namespace morphkit::render {
+namespace {
+
+using testing_support::line;
+using testing_support::pictures;
+using testing_support::point;
+using testing_support::random_image;
+using testing_support::small_project;
+
+std::vector<Finding> findings(const project::Project& project) {
+  return check(Renderer(project, pictures(random_image({96, 64}, 1), random_image({96, 64}, 2))));
+}
+
+TEST(Check, HasNothingToSayOfAGoodProject) {
+  for (const Finding& finding : findings(small_project())) ADD_FAILURE() << finding.message;
+}
+
+TEST(Check, NamesCrossingLinesOnceAndWhere) {
+  project::Project project;
+  project.features = {line("a", {{10, 10}, {50, 50}}, {{10, 10}, {50, 50}}),
+                      line("b", {{10, 50}, {50, 10}}, {{60, 50}, {90, 10}})};
+  const std::vector<Finding> found = findings(project);
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, Finding::Kind::kCrossing);
+  EXPECT_EQ(found[0].where, "source");
+  EXPECT_EQ(found[0].features, (std::vector<std::string>{"a", "b"}));
+  EXPECT_NEAR(found[0].position.x, 30, 1e-9);
+  EXPECT_NEAR(found[0].position.y, 30, 1e-9);
+  EXPECT_EQ(
+      std::count_if(found.begin(), found.end(), [](const Finding& f) { return f.kind == Finding::Kind::kCrossing; }),
+      1);
+}
+
+TEST(Check, FindsLinesThatCrossOnlyInBetween) {
+  project::Project project;
+  // b jumps from left of a to right of it, turning on its way.
+  project.features = {line("a", {{48, 8}, {48, 56}}, {{48, 8}, {48, 56}}),
+                      line("b", {{10, 30}, {20, 34}}, {{86, 30}, {76, 34}})};
+  project.features[1].source = {{10, 20}, {40, 40}};
+  project.features[1].destination = {{56, 20}, {86, 40}};
+  const std::vector<Finding> found = findings(project);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].kind, Finding::Kind::kCrossing);
+  EXPECT_EQ(found[0].where, "in between");
+}
+
+TEST(Check, TouchingEndsAndChainsDoNotCross) {
+  project::Project project;
+  project.features = {line("a", {{10, 10}, {50, 30}}, {{10, 10}, {50, 30}}),
+                      line("b", {{50, 30}, {80, 10}}, {{50, 30}, {80, 10}})};
+  EXPECT_TRUE(findings(project).empty());
+}
+
+TEST(Check, NamesTwinsThatDisagree) {
+  project::Project project;
+  project.features = {line("a", {{10, 30}, {80, 30}}, {{10, 20}, {80, 20}}),
+                      line("b", {{12, 31}, {78, 31}}, {{12, 45}, {78, 45}})};
+  const std::vector<Finding> found = findings(project);
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                          [](const Finding& f) { return f.kind == Finding::Kind::kTwins && f.where == "source"; }));
+}
+
+TEST(Check, NamesMarksOutsideTheirPicture) {
+  project::Project project;
+  project.features = {point("nose", {48, 32}, {48, 64.5})};
+  const std::vector<Finding> found = findings(project);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].kind, Finding::Kind::kOutsideImage);
+  EXPECT_EQ(found[0].where, "destination");
+  EXPECT_NE(found[0].message.find("96x64"), std::string::npos);
+}
+
+TEST(Check, FindsFoldsAndTheFeaturesNearest) {
+  project::Project project;
+  // Two neighbouring lines change places.
+  project.features = {line("left", {{40, 10}, {40, 54}}, {{56, 10}, {56, 54}}),
+                      line("right", {{56, 10}, {56, 54}}, {{40, 10}, {40, 54}}),
+                      line("far", {{2, 2}, {2, 60}}, {{2, 2}, {2, 60}})};
+  const std::vector<Finding> found = findings(project);
+  const auto fold =
+      std::find_if(found.begin(), found.end(), [](const Finding& f) { return f.kind == Finding::Kind::kFold; });
+  ASSERT_NE(fold, found.end());
+  EXPECT_GT(fold->area_px, 100);
+  EXPECT_GE(fold->count, 1);
+  EXPECT_EQ(fold->features.size(), 3u);
+  EXPECT_NE(fold->features[0], "far");
+}
+
+}  // namespace
+}  // namespace morphkit::render

@@ -1,0 +1,157 @@
+#include "morph/render/renderer.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pictures.h"
+#include "warp/parallel.h"
+
+namespace morphkit::render {
+namespace {
+
+using testing_support::line;
+using testing_support::pictures;
+using testing_support::random_image;
+using testing_support::same_bits;
+using testing_support::small_project;
+
+const cv::Size kSize(96, 64);
+
+TEST(Renderer, EndsAreThePicturesBitForBit) {
+  for (const bool with_alpha : {false, true})
+    for (const auto between : {project::Between::kEndpoints, project::Between::kCentre})
+      for (const auto filter : {warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic}) {
+        const warp::Image a = random_image(kSize, 1, with_alpha), b = random_image(kSize, 2, with_alpha);
+        project::Project project = small_project();
+        project.influence.between = between;
+        project.warp.filter = filter;
+        const Renderer renderer(project, pictures(a, b, with_alpha));
+        EXPECT_TRUE(same_bits(renderer.frame(0), a));
+        EXPECT_TRUE(same_bits(renderer.frame(1), b));
+      }
+}
+
+TEST(Renderer, EndsAreExactWithFeaturesThatHaveTheirOwnTimes) {
+  const warp::Image a = random_image(kSize, 3), b = random_image(kSize, 4);
+  project::Project project = small_project();
+  project.features[0].influence.dissolve = motion::Timing{motion::SineEase{}, 0.1, 0.4};
+  project.features[2].influence.shape = motion::Timing{motion::ParabolicEase{}, 0.5, 0.5};
+  const Renderer renderer(project, pictures(a, b));
+  EXPECT_TRUE(same_bits(renderer.frame(0), a));
+  EXPECT_TRUE(same_bits(renderer.frame(1), b));
+}
+
+TEST(Renderer, IdentityFeaturesGiveTheDissolveExactly) {
+  const warp::Image a = random_image(kSize, 5), b = random_image(kSize, 6);
+  project::Project project = small_project();
+  for (project::Feature& feature : project.features) feature.destination = feature.source;
+  const Renderer renderer(project, pictures(a, b));
+  for (const double t : {0.125, 0.3, 0.5, 0.9}) {
+    const auto alpha = static_cast<float>(t);
+    warp::Image expected(kSize);
+    for (int y = 0; y < kSize.height; ++y)
+      for (int x = 0; x < kSize.width; ++x)
+        for (int c = 0; c < 4; ++c) expected(y, x)[c] = (1 - alpha) * a(y, x)[c] + alpha * b(y, x)[c];
+    EXPECT_TRUE(same_bits(renderer.frame(t), expected));
+  }
+}
+
+TEST(Renderer, WithoutFeaturesDissolves) {
+  project::Project project;
+  const warp::Image a(kSize, warp::Pixel(1, 0, 0, 1)), b(kSize, warp::Pixel(0, 0, 1, 1));
+  const warp::Image middle = Renderer(project, pictures(a, b)).frame(0.5);
+  EXPECT_EQ(middle(10, 10), warp::Pixel(0.5f, 0, 0.5f, 1));
+}
+
+TEST(Renderer, ADoubledPictureIsTheSameMorphBackwards) {
+  // Swapping the sides and running backwards gives the same in-between features and so the same maps.
+  project::Project project = small_project(), swapped = small_project();
+  for (project::Feature& feature : swapped.features) std::swap(feature.source, feature.destination);
+  const warp::Image a = random_image(kSize, 7), b = random_image(kSize, 8);
+  const Renderer forth(project, pictures(a, b)), back(swapped, pictures(b, a));
+  const warp::Map x = forth.map(0.25, SideName::kSource), y = back.map(0.75, SideName::kDestination);
+  EXPECT_LE(cv::norm(x, y, cv::NORM_INF), 1e-3);
+}
+
+TEST(Renderer, SameBytesForAnyNumberOfThreads) {
+  project::Project project = small_project();
+  project.features[0].influence.dissolve = motion::Timing{motion::SineEase{}, 0, 0.5};
+  project.output.size = cv::Size(203, 151);
+  const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
+  warp::set_threads(1);
+  const warp::Image one = renderer.frame(0.4);
+  for (const int threads : {2, 5}) {
+    warp::set_threads(threads);
+    EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
+  }
+  warp::set_threads(0);
+}
+
+TEST(Renderer, MapIsInPixelsOfThePictureFileWhateverItsSize) {
+  // A picture twice the canvas is reduced for sampling; its map still speaks of the file.
+  project::Project project;
+  project.output.size = cv::Size(48, 32);
+  const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
+  const warp::Map source = renderer.map(0.5, SideName::kSource);
+  EXPECT_EQ(source(0, 0), warp::MapPoint(1, 1));
+  EXPECT_EQ(source(31, 47), warp::MapPoint(95, 63));
+  EXPECT_EQ(renderer.map(0.5, SideName::kDestination)(31, 47), warp::MapPoint(47.5f, 31.5f));
+}
+
+TEST(Renderer, LargePicturesAreAveragedNotSkipped) {
+  // A one-pixel checkerboard at half size is grey, without moire.
+  warp::Image checks(128, 192);
+  for (int y = 0; y < checks.rows; ++y)
+    for (int x = 0; x < checks.cols; ++x)
+      checks(y, x) = (x + y) % 2 == 0 ? warp::Pixel(1, 1, 1, 1) : warp::Pixel(0, 0, 0, 1);
+  project::Project project;
+  project.output.size = kSize;
+  const warp::Image frame = Renderer(project, pictures(checks, checks)).frame(0);
+  for (const warp::Pixel& pixel : frame) ASSERT_NEAR(pixel[0], 0.5, 1e-5);
+}
+
+TEST(Renderer, LocalDissolveFollowsTheNearestFeature) {
+  project::Project project;
+  project.influence.a = 0.01;
+  project.features = {line("left", {{8, 8}, {8, 56}}, {{8, 8}, {8, 56}}),
+                      line("right", {{88, 8}, {88, 56}}, {{88, 8}, {88, 56}})};
+  project.features[0].influence.dissolve = motion::Timing{motion::StepEase{0.1}, 0, 1};
+  project.features[1].influence.dissolve = motion::Timing{motion::StepEase{0.9}, 0, 1};
+  const warp::Image a(kSize, warp::Pixel(0, 0, 0, 1)), b(kSize, warp::Pixel(1, 1, 1, 1));
+  const warp::Image frame = Renderer(project, pictures(a, b)).frame(0.5);
+  EXPECT_GT(frame(32, 8)[0], 0.99f);
+  EXPECT_LT(frame(32, 87)[0], 0.01f);
+  for (int x = 9; x < 88; ++x) EXPECT_LE(frame(32, x)[0], frame(32, x - 1)[0]);
+}
+
+TEST(Renderer, LettersboxesAreTransparentOrBackground) {
+  project::Project project;
+  project.output.size = cv::Size(96, 96);
+  project.output.fit = project::Fit::kContain;
+  const warp::Image white(kSize, warp::Pixel(1, 1, 1, 1));
+  const Renderer clear(project, pictures(white, white));
+  EXPECT_TRUE(clear.has_alpha());
+  EXPECT_EQ(clear.frame(0.5)(2, 50), warp::Pixel(0, 0, 0, 0));
+  EXPECT_EQ(clear.frame(0.5)(48, 50), warp::Pixel(1, 1, 1, 1));
+  project.output.background = project::Color{1, 0, 0, 1};
+  const Renderer red(project, pictures(white, white));
+  EXPECT_FALSE(red.has_alpha());
+  EXPECT_EQ(red.frame(0.5)(2, 50), warp::Pixel(1, 0, 0, 1));
+}
+
+TEST(Renderer, TimeRunsFromTheFirstFrameToTheLast) {
+  project::Project project;
+  project.output.frames = 5;
+  project.output.start = 101;
+  const warp::Image white(kSize, warp::Pixel(1, 1, 1, 1));
+  const Renderer renderer(project, pictures(white, white));
+  EXPECT_EQ(renderer.time_of(101), 0);
+  EXPECT_EQ(renderer.time_of(103), 0.5);
+  EXPECT_EQ(renderer.time_of(105), 1);
+  project.output.frames = 1;
+  EXPECT_EQ(Renderer(project, pictures(white, white)).time_of(101), 0);
+}
+
+}  // namespace
+}  // namespace morphkit::render
