@@ -15,9 +15,9 @@ bool in_unit(double x) {
   return x >= 0 && x <= 1;
 }
 
-std::optional<std::string> breaks_problem(double first, double second, const char* names) {
+std::optional<std::string> breaks_problem(double first, double second, const std::string& a, const std::string& b) {
   if (0 <= first && first <= second && second <= 1) return std::nullopt;
-  return std::string(names) + " must satisfy 0 <= first <= second <= 1";
+  return a + ", " + b + " must satisfy 0 <= " + a + " <= " + b + " <= 1";
 }
 
 // One overload of `invalid` and of `shape` per easing. `shape` is asked for t strictly inside (0, 1), so the divisions
@@ -38,7 +38,7 @@ double shape(const SineEase&, double t) {
 }
 
 std::optional<std::string> invalid(const SinusoidalEase& e) {
-  return breaks_problem(e.k1, e.k2, "k1, k2");
+  return breaks_problem(e.k1, e.k2, "k1", "k2");
 }
 
 // Parent, eq. 3.18. The quarter sines have slope 1 where they meet the straight piece; f scales the whole to end at 1.
@@ -51,7 +51,7 @@ double shape(const SinusoidalEase& e, double t) {
 }
 
 std::optional<std::string> invalid(const ParabolicEase& e) {
-  return breaks_problem(e.t1, e.t2, "t1, t2");
+  return breaks_problem(e.t1, e.t2, "t1", "t2");
 }
 
 // Parent, 3.2.4: the area under a trapezoid of height v0 is 1.
