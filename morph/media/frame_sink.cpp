@@ -1,1 +1,117 @@
-// Placeholder.
+#include "morph/media/frame_sink.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "morph/error.h"
+#include "morph/media/video_format.h"
+#include "morph/media/video_sink.h"
+
+namespace morphkit::media {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One image file per frame; or, without a pattern, one file for the only frame.
+class FileSink final : public FrameSink {
+ public:
+  FileSink(fs::path name, std::optional<FramePattern> pattern, SinkOptions options)
+      : name_(std::move(name)), pattern_(std::move(pattern)), options_(std::move(options)) {}
+
+  Packet encode(int frame, const warp::Image& image) override {
+    if (image.size() != options_.size)
+      throw std::invalid_argument(fmt::format("frame {} is {}x{} px, the sink {}x{} px", frame, image.cols, image.rows,
+                                              options_.size.width, options_.size.height));
+    write_image(file(frame), image, options_.image);
+    return {};
+  }
+
+  void write(int /*frame*/, Packet /*packet*/) override {}
+  void finish() override {}
+
+  bool has(int frame) const override {
+    // write_image renames complete files into place, so a file that is there is whole, if it is a frame of ours at
+    // all: anything else under that name has another size or is no image.
+    const fs::path name = file(frame);
+    std::error_code error;
+    if (!fs::is_regular_file(name, error)) return false;
+    try {
+      const ImageInfo info = read_info(name);
+      return info.bytes > 0 && cv::Size(info.width, info.height) == options_.size;
+    } catch (const Error&) {
+      return false;
+    }
+  }
+
+  std::vector<fs::path> existing(const std::vector<int>& frames) const override {
+    std::vector<fs::path> found;
+    for (const int frame : frames) {
+      std::error_code error;
+      if (fs::path name = file(frame); fs::exists(name, error)) found.push_back(std::move(name));
+    }
+    return found;
+  }
+
+ private:
+  fs::path file(int frame) const { return pattern_ ? (*pattern_)(frame) : name_; }
+
+  fs::path name_;
+  std::optional<FramePattern> pattern_;
+  SinkOptions options_;
+};
+
+void check_folder(const fs::path& output) {
+  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status))
+    throw Error(ErrorCode::kIo, output.string(), fmt::format("the folder {} does not exist", folder.string()));
+  if (!fs::is_directory(status))
+    throw Error(ErrorCode::kIo, output.string(), fmt::format("{} is not a folder", folder.string()));
+  if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+    throw Error(
+        ErrorCode::kIo, output.string(),
+        fmt::format("the folder {} cannot be written: {}", folder.string(), std::generic_category().message(errno)));
+}
+
+[[noreturn]] void refuse_kind(const fs::path& output) {
+  const std::string extension = output.extension().string();
+  throw Error(ErrorCode::kUsage, output.string(),
+              fmt::format("{}; write a video ({}), or numbered images such as frame.%04d.png",
+                          extension.empty() ? "the name has no extension that would tell the kind of output"
+                                            : fmt::format("'{}' is no kind of output that is known", extension),
+                          video_extensions()));
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& options, bool single_frame) {
+  if (options.size.empty())
+    throw std::invalid_argument(fmt::format("a sink of {}x{} px", options.size.width, options.size.height));
+  const bool numbered = FramePattern::matches(output);
+  const VideoFormat* video = find_video_format(output);
+  if (video != nullptr && numbered && !is_image_extension(output))
+    throw Error(ErrorCode::kUsage, output.string(),
+                "a video is one file: leave the place for the frame number out of its name");
+  if (video == nullptr && !is_image_extension(output)) refuse_kind(output);
+  if (video == nullptr && !numbered && !single_frame)
+    throw Error(ErrorCode::kUsage, output.string(),
+                fmt::format("one image cannot hold several frames; write {}, or a video ({})",
+                            (output.stem() += ".%04d" + output.extension().string()).string(), video_extensions()));
+  std::optional<FramePattern> pattern;
+  if (numbered) pattern.emplace(output);
+  check_folder(output);
+  // A .gif is an animation unless its name says that it is one of many.
+  if (video != nullptr && !numbered) return std::make_unique<VideoSink>(output, *video, options);
+  return std::make_unique<FileSink>(output, std::move(pattern), options);
+}
+
+}  // namespace morphkit::media

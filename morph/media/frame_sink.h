@@ -4,22 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "morph/media/frame_pattern.h"
 #include "morph/media/image_file.h"
 #include "warp/image.h"
 
 namespace morphkit::media {
-
-/// "frame.%04d.png", "frame.####.png": a file name with a place for the frame number.
-class FramePattern {
- public:
-  /// @throws Error kUsage if the name has no place for a number, or more than one.
-  explicit FramePattern(const std::filesystem::path& name);
-  static bool matches(const std::filesystem::path& name);
-  std::filesystem::path operator()(int frame) const;
-};
 
 struct SinkOptions {
   cv::Size size;                  ///< px; every frame has it
@@ -37,8 +28,11 @@ class FrameSink {
   virtual ~FrameSink() = default;
   using Packet = std::vector<std::uint8_t>;
 
+  /// @param image  of the sink's size. @throws std::invalid_argument if it is not; Error as write_image does.
   virtual Packet encode(int frame, const warp::Image& image) = 0;
+  /// @throws Error kFailed or kIo with ffmpeg's last lines if it has died.
   virtual void write(int frame, Packet packet) = 0;
+  /// @throws Error as write; kFailed if no frame was written to a video.
   virtual void finish() = 0;
 
   /// Whether the frame is already there, complete (frame files only): what `--resume` skips.
@@ -49,7 +43,10 @@ class FrameSink {
 
 /// Opens a sink told by `output`'s extension: a frame pattern of any image format, `.mp4` (H.264), `.webm` (VP9),
 /// `.mkv` (FFV1), `.mov` (ProRes), `.gif`, `.apng`; a plain image name for a single frame (`single_frame`).
-/// @throws Error kUsage for an unknown kind, kIo if ffmpeg is missing or the folder cannot be written.
+/// video_format.h says how each kind of video is made.
+/// @throws Error kUsage for an unknown kind, a name without a place for the frame number, or an option that the kind
+///         has not; kIo if ffmpeg is missing, the folder is missing or cannot be written, or the video exists and
+///         `options.image.overwrite` is off. Frame files that exist are refused one by one, by `encode`.
 std::unique_ptr<FrameSink> open_sink(const std::filesystem::path& output, const SinkOptions& options,
                                      bool single_frame);
 

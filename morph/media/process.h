@@ -1,0 +1,64 @@
+#pragma once
+// A child program that is fed through its standard input. Internal to morph/media.
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace morphkit::media {
+
+/// A program started from an argument vector (never through a shell), with a pipe to its standard input, its standard
+/// output thrown away and the end of its standard error kept.
+///
+/// It runs in a process group of its own: Ctrl-C reaches us alone, and we decide what becomes of it. Not copyable, to
+/// be used by one thread at a time. Destroyed while running, it is killed with all that it started, and reaped.
+class Process {
+ public:
+  /// How a program ended.
+  struct Exit {
+    int status = 0;  ///< exit status, or -1 if a signal ended it
+    int signal = 0;  ///< the signal, or 0
+    bool ok() const { return status == 0 && signal == 0; }
+    /// "ended with status 3", "was ended by signal 9 (Killed)".
+    std::string text() const;
+  };
+
+  /// @param arguments  the program (looked up on PATH) and its arguments, at least one.
+  /// @throws std::system_error if it cannot be started: ENOENT when it is not on PATH.
+  explicit Process(const std::vector<std::string>& arguments);
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  /// Writes all bytes, waiting while the pipe is full. SIGPIPE is never raised.
+  /// @return  false if the program has closed its input, which is mostly a sign that it has died.
+  /// @throws std::system_error for any other failure.
+  bool write(std::span<const std::uint8_t> bytes);
+
+  /// Closes its standard input and waits until it ends; what it has started and left behind is killed. Afterwards
+  /// last_lines() is complete. Repeated calls return the same.
+  Exit finish();
+
+  /// Kills the program and all that it started, and reaps it. Nothing if it has ended.
+  void kill() noexcept;
+
+  /// The end of what it wrote to standard error, at most 4 KiB, whole lines. To be called after finish().
+  std::string last_lines() const;
+
+ private:
+  class Drain;
+
+  void reap() noexcept;
+
+  pid_t pid_ = -1;  ///< -1 once reaped
+  int input_ = -1;  ///< our end of the pipe, -1 once closed
+  Exit exit_;
+  std::unique_ptr<Drain> drain_;
+};
+
+}  // namespace morphkit::media

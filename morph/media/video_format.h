@@ -1,0 +1,50 @@
+#pragma once
+// The kinds of video and animation, and how ffmpeg is asked for each. Internal to morph/media.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "morph/media/frame_sink.h"
+#include "morph/media/raw_frame.h"
+
+namespace morphkit::media {
+
+/// One kind of video file.
+///
+/// | extension | codec, pixels                                   | transparent frames | quality                |
+/// |-----------|-------------------------------------------------|--------------------|------------------------|
+/// | .mp4      | H.264, 4:2:0 8 bit; odd sizes grow by one pixel | over black         | CRF 0..51, default 18  |
+/// | .webm     | VP9, 4:2:0 8 bit                                | kept               | CRF 0..63, default 24  |
+/// | .mkv      | FFV1, RGB 16 bit, lossless                      | kept               |                        |
+/// | .mov      | ProRes 422 HQ 10 bit; with alpha 4444           | kept               |                        |
+/// | .gif      | 256 colours per frame, for ever                 | kept, on or off    |                        |
+/// | .apng     | RGB 8 bit, lossless, for ever                   | kept               |                        |
+struct VideoFormat {
+  const char* extension;  ///< lower case, with the dot
+  const char* muxer;      ///< ffmpeg's -f
+  RawFormat opaque;       ///< what is piped when frames are opaque
+  RawFormat alpha;        ///< what is piped when they may be transparent; `opaque` if the format has no alpha
+  bool even_size;         ///< whether width and height must be even
+  int default_crf;        ///< -1: the codec has no such scale
+  int worst_crf;          ///< largest CRF
+  int max_fps;            ///< 0: any
+
+  RawFormat raw(bool has_alpha) const { return has_alpha ? alpha : opaque; }
+  /// px, of the frames that are piped.
+  cv::Size coded_size(cv::Size size) const;
+};
+
+/// The kind told by the extension, in any case; nullptr if it is none.
+const VideoFormat* find_video_format(const std::filesystem::path& file);
+
+/// ".mp4, .webm, ...": for messages.
+std::string video_extensions();
+
+/// ffmpeg and its arguments: raw frames on standard input, the video in `file`. The same options and the same frames
+/// give the same bytes.
+/// @throws Error kUsage, naming `shown`, for a quality or frame rate that the kind has not.
+std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOptions& options,
+                                        const std::filesystem::path& file, const std::filesystem::path& shown);
+
+}  // namespace morphkit::media
