@@ -1,12 +1,17 @@
 #pragma once
 // The feature-line field of Beier and Neely, "Feature-Based Image Metamorphosis", SIGGRAPH 1992.
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "warp/image.h"
 
 namespace morphkit::warp {
+
+namespace detail {
+class FieldTables;
+}
 
 /// A directed line from p to q. If both ends coincide it is a point.
 struct Line {
@@ -15,7 +20,7 @@ struct Line {
 
 /// How strongly a line pulls: w = (length^p / (a + distance))^b.
 struct LineWeight {
-  double a = 1;  ///< px, >= 0; 0: pixels on the line follow it exactly
+  double a = 1;  ///< px, [0, 1e9]; 0: pixels on the line follow it exactly
   double b = 2;  ///< [0, 8]; how fast the pull falls with distance
   double p = 0;  ///< [0, 1]; how much longer lines pull more
 };
@@ -39,9 +44,11 @@ struct FieldLine {
 /// weights depend on the output lines only, so one pass serves any number of targets.
 class LineField {
  public:
-  /// @param lines    finite coordinates; every line has `targets` targets; a line that is a point in the output is a
+  /// @param lines    finite coordinates within 1e9 px of the origin; values within the range of a float; every line has
+  /// `targets` targets; a line that is a point in the output is a
   ///                 point in all targets and the other way round (in-between lines of valid pairs keep this, except a
-  ///                 line that turns through length 0 on its way, which then acts as a point at its place).
+  ///                 line that turns through length 0 on its way, which then acts as a point at its place:
+  ///                 it displaces by what its midpoint moves).
   /// @param targets  number of targets, >= 1.
   /// @throws std::invalid_argument on a broken contract, naming the line.
   LineField(std::span<const FieldLine> lines, int targets);
@@ -52,13 +59,20 @@ class LineField {
   /// Target positions of the centres of output pixels (x_begin + i, y), i in [0, n).
   /// @param positions  one span of length n per target.
   /// @param values     weighted mean of the lines' values, length n; or empty if not wanted. 0 without lines.
-  /// Accuracy: class T, within kFieldTolerancePx of reference_row. The result for a pixel does not depend on how a row
-  /// is cut, provided x_begin is a multiple of kFieldBlock. Thread-safe. Cost: O(n x lines); see bench/field.
+  /// @throws std::invalid_argument on the wrong number or lengths of spans.
+  /// Accuracy: class T, within kFieldTolerancePx of reference_row wherever |position| < 2^15 px and everywhere else
+  /// equal to it. A pixel whose float error cannot be shown to stay below the bound, or that lies on a line with a = 0,
+  /// is taken from the reference. The result for a pixel does not depend on how a row is cut, provided x_begin is a
+  /// multiple of kFieldBlock (it holds for any x_begin, at the price of a whole block per cut). Thread-safe; does not
+  /// allocate. Cost: O(n x lines); see tests/bench/field_bench.cpp.
   void row(int y, int x_begin, std::span<const std::span<MapPoint>> positions, std::span<float> values = {}) const;
 
   /// The specification: the same in plain scalar double arithmetic.
   void reference_row(int y, int x_begin, std::span<const std::span<MapPoint>> positions,
                      std::span<float> values = {}) const;
+
+ private:
+  std::shared_ptr<const detail::FieldTables> tables_;
 };
 
 /// Bound on |row - reference_row|, px.
