@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Installs with apt what building and running morphkit needs and the machine lacks.
+#   scripts/deps.sh [--ci]      --ci: also the compilers and checkers that .ci/run uses
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config git
+  libopencv-dev libopenimageio-dev openimageio-tools libtbb-dev libhwy-dev
+  libcli11-dev nlohmann-json3-dev libfmt-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+  ffmpeg # at run time: video goes through the program
+)
+case "${1-}" in
+  "") ;;
+  --ci) packages+=(clang clang-format clang-tidy libclang-rt-14-dev cppcheck) ;;
+  *) echo "usage: scripts/deps.sh [--ci]" >&2; exit 2 ;;
+esac
+
+command -v dpkg-query > /dev/null && command -v apt-get > /dev/null || {
+  echo "scripts/deps.sh: this needs Debian 12 or a relative with apt-get. Elsewhere, install the equivalents of:" >&2
+  echo "  ${packages[*]}" >&2
+  exit 1
+}
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+  command -v sudo > /dev/null || {
+    echo "scripts/deps.sh: no sudo here. As root, run:" >&2
+    echo "  apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+
+echo "Installing ${missing[*]}"
+"${as_root[@]}" apt-get update
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"

@@ -1,0 +1,29 @@
+# Arguments: build, source (of morphkit), work (a directory of our own), compiler, launcher, sanitize.
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE "${work}")
+run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
+run("${work}/prefix/bin/morphkit" --version)
+
+# A package that names the tree it was built in works here and nowhere else.
+file(GLOB_RECURSE package_files "${work}/prefix/*.cmake")
+foreach(file IN LISTS package_files)
+  file(STRINGS "${file}" leaks REGEX "${source}/(warp|morph|samples|cmake)|${build}/(warp|morph|samples)")
+  if(leaks)
+    message(FATAL_ERROR "${file} names the source or build tree: ${leaks}")
+  endif()
+endforeach()
+
+set(flags "")
+if(sanitize)
+  set(flags "-fsanitize=${sanitize}")
+endif()
+run("${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/outside" -B "${work}/outside"
+  -D "CMAKE_PREFIX_PATH=${work}/prefix" -D "CMAKE_CXX_COMPILER=${compiler}" -D CMAKE_BUILD_TYPE=Release
+  -D "CMAKE_CXX_COMPILER_LAUNCHER=${launcher}" -D "CMAKE_CXX_FLAGS=${flags}")
+run("${CMAKE_COMMAND}" --build "${work}/outside")
+run("${work}/outside/bend")
+run("${work}/outside/dissolve")
+file(REMOVE_RECURSE "${work}")
