@@ -9,6 +9,7 @@ namespace morphkit::warp {
 
 /// Bounds the number of threads that morphkit and OpenCV use; 0 means all that the machine has. Results never depend
 /// on it. Call before work starts, not while it runs.
+/// @throws std::invalid_argument if negative.
 void set_threads(int threads);
 
 /// The number of threads in use, at least 1.
@@ -21,7 +22,10 @@ void run_rows(int height, int grain, RowsFunction function, const void* context)
 
 /// Calls `fn(begin, end)` for consecutive bands of rows that cover [0, height). The bands depend on height and grain
 /// only, never on the number of threads. `fn` must be safe to call from several threads at once.
+/// An exception of `fn` stops the bands not yet begun and is rethrown. May be called from within itself and from the
+/// stages of run_pipeline.
 /// @param grain  rows per band, at least 1.
+/// @throws std::invalid_argument if grain is below 1.
 template <typename Fn>
 void for_rows(int height, const Fn& fn, int grain = 8) {
   detail::run_rows(
@@ -36,9 +40,11 @@ struct PipelineStages {
 };
 
 /// Makes items 0 .. count-1 and delivers them in order, with at most `in_flight` alive at once. An exception in a stage
-/// stops the pipeline and is rethrown. `cancelled` is asked before each item; true ends the run early, after the items
-/// already begun have been delivered.
+/// stops the pipeline and is rethrown, that of the first failing item; the items before it have been delivered.
+/// `cancelled` is asked before each item, on one thread at a time (empty: never); true ends the run early, after the
+/// items already begun have been delivered.
 /// @return  number of items delivered.
+/// @throws std::invalid_argument if in_flight is below 1.
 std::int64_t run_pipeline(std::int64_t count, int in_flight, const PipelineStages& stages,
                           const std::function<bool()>& cancelled);
 
