@@ -114,6 +114,9 @@ struct Project {
   std::shared_ptr<const std::string> original;
 };
 
+/// Whether both say the same; where they were loaded from and how it was spelled does not count.
+bool same_document(const Project& a, const Project& b);
+
 /// A path of the document (an image) as seen from the current directory.
 std::filesystem::path resolve(const Project& project, const std::filesystem::path& path);
 
@@ -125,20 +128,26 @@ Influence effective(const Project& project, const Feature& feature);
 Influence effective(const Project& project);
 
 /// Reads and validates a project.
-/// @throws Error kIo if it cannot be read, kBadInput naming file and JSON pointer otherwise.
+/// @throws Error kIo if it cannot be read, kBadInput naming file and JSON pointer (syntax errors: line and column)
+///         otherwise.
 Project load(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages and relative paths resolve against its folder.
 Project parse(const std::string& text, const std::filesystem::path& name);
 
-/// The document as text that `parse` reads back equal; keeps what `original` shows of order and spelling.
+/// The document as text that `parse` reads back equal. With an `original`, only what has changed is written anew:
+/// order, spelling, explicit defaults and spacing of the rest stay. Without one, defaults are left out.
+/// @pre the values are ones that `parse` accepts. @throws std::invalid_argument on a number that is not finite, Error
+/// kBadInput on a name that is not UTF-8.
 std::string to_text(const Project& project);
 
-/// Writes to_text atomically (temporary name, then rename). @throws Error kIo.
+/// Writes to_text atomically (temporary name, sync, rename); through a symbolic link, to what it names.
+/// @throws Error kIo; the file is then what it was before.
 void save(const Project& project, const std::filesystem::path& file);
 
 /// Features only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "groups": [...]}, laid
-/// over `project` (its images and output stay). For `morph A B --features F`.
+/// over `project` (its images and output stay; "warp" and "transition" are taken where the file has them). For `morph A
+/// B --features F`.
 void load_features(Project& project, const std::filesystem::path& file);
 
 /// The JSON Schema (2020-12) that the loader is tested against.

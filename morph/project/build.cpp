@@ -1,0 +1,169 @@
+#include "morph/project/build.h"
+
+#include <string>
+#include <utility>
+
+#include "morph/project/values.h"
+
+namespace morphkit::project {
+namespace {
+
+using json::Node;
+
+/// Writes an object key by key, leaving defaults out unless they are wanted.
+class ObjectBuilder {
+ public:
+  explicit ObjectBuilder(bool defaults) : defaults_(defaults) {}
+
+  void always(const char* key, Node value) { node_.set(key, std::move(value)); }
+  void unless(bool is_default, const char* key, Node value) {
+    if (defaults_ || !is_default) always(key, std::move(value));
+  }
+  void number(const char* key, const std::optional<double>& value) {
+    if (value) always(key, Node::of_number(*value));
+  }
+  /// An object that says nothing is left out.
+  void object(const char* key, ObjectBuilder&& value) {
+    const bool empty = value.node_.items.empty();
+    unless(empty, key, std::move(value.node_));
+  }
+  Node take() { return std::move(node_); }
+
+ private:
+  bool defaults_;
+  Node node_ = Node::object();
+};
+
+Node point_node(const cv::Point2d& point) {
+  Node node = Node::array();
+  node.push(Node::of_number(point.x));
+  node.push(Node::of_number(point.y));
+  return node;
+}
+
+Node points_node(const std::vector<cv::Point2d>& points) {
+  Node node = Node::array();
+  for (const cv::Point2d& point : points) node.push(point_node(point));
+  return node;
+}
+
+void add_warp_influence(ObjectBuilder& warp, const Influence& influence) {
+  warp.number("a", influence.a);
+  warp.number("b", influence.b);
+  warp.number("p", influence.p);
+  if (influence.scale) warp.always("scale", named(kScales, *influence.scale));
+  if (influence.between) warp.always("between", named(kBetweens, *influence.between));
+  warp.number("turns", influence.turns);
+}
+
+void add_transition_influence(ObjectBuilder& transition, const Influence& influence, bool defaults) {
+  if (influence.shape) transition.always("shape", timing_node(*influence.shape, defaults));
+  if (influence.dissolve) transition.always("dissolve", timing_node(*influence.dissolve, defaults));
+}
+
+void add_influence(ObjectBuilder& owner, const Influence& influence, bool defaults) {
+  ObjectBuilder warp(defaults), transition(defaults);
+  add_warp_influence(warp, influence);
+  add_transition_influence(transition, influence, defaults);
+  owner.object("warp", std::move(warp));
+  owner.object("transition", std::move(transition));
+}
+
+Node geometry_node(const Feature& feature, bool defaults) {
+  ObjectBuilder geometry(defaults);
+  const bool is_point = feature.kind == FeatureKind::kPoint;
+  const auto side = [&](const std::vector<cv::Point2d>& points) {
+    return is_point ? point_node(points.at(0)) : points_node(points);
+  };
+  geometry.always("source", side(feature.source));
+  geometry.always("destination", side(feature.destination));
+  if (feature.kind == FeatureKind::kCurve) {
+    geometry.unless(feature.curve == Feature{}.curve, "spline", named(kCurves, feature.curve));
+    geometry.unless(!feature.closed, "closed", Node::of_bool(feature.closed));
+  }
+  return geometry.take();
+}
+
+Node feature_node(const Feature& feature, bool defaults) {
+  ObjectBuilder object(defaults);
+  object.always("id", Node::string(feature.id));
+  if (!feature.group.empty()) object.always("group", Node::string(feature.group));
+  const char* kind = feature.kind == FeatureKind::kLine    ? "line"
+                     : feature.kind == FeatureKind::kPoint ? "point"
+                                                           : "curve";
+  object.always(kind, geometry_node(feature, defaults));
+  add_influence(object, feature.influence, defaults);
+  return object.take();
+}
+
+Node group_node(const Group& group, bool defaults) {
+  ObjectBuilder object(defaults);
+  object.always("id", Node::string(group.id));
+  add_influence(object, group.influence, defaults);
+  return object.take();
+}
+
+template <typename T>
+Node list_node(const std::vector<T>& list, Node (*item)(const T&, bool), bool defaults) {
+  Node node = Node::array();
+  node.expand = true;
+  for (const T& value : list) node.push(item(value, defaults));
+  return node;
+}
+
+Node side_node(const Side& side) {
+  ObjectBuilder object(false);
+  object.always("image", Node::string(side.image.string()));
+  if (!side.colorspace.empty()) object.always("colorspace", Node::string(side.colorspace));
+  return object.take();
+}
+
+ObjectBuilder warp_object(const Project& project, bool defaults) {
+  ObjectBuilder warp(defaults);
+  warp.unless(project.warp.method == Warp{}.method, "method", Node::string(project.warp.method));
+  add_warp_influence(warp, project.influence);
+  warp.unless(project.warp.filter == Warp{}.filter, "filter", named(kFilters, project.warp.filter));
+  warp.unless(!project.warp.border, "border", named(kBorders, project.warp.border));
+  return warp;
+}
+
+ObjectBuilder output_object(const Output& output, bool defaults) {
+  const Output usual;
+  ObjectBuilder object(defaults);
+  if (output.size) {
+    Node size = Node::array();
+    size.push(Node::of_number(output.size->width));
+    size.push(Node::of_number(output.size->height));
+    object.always("size", std::move(size));
+  }
+  object.unless(output.fit == usual.fit, "fit", named(kFits, output.fit));
+  object.unless(output.frames == usual.frames, "frames", Node::of_number(output.frames));
+  object.unless(output.start == usual.start, "start", Node::of_number(output.start));
+  const bool usual_rate = output.fps_num == usual.fps_num && output.fps_den == usual.fps_den;
+  object.unless(usual_rate, "fps", fps_node({output.fps_num, output.fps_den}));
+  object.unless(output.background == usual.background, "background", background_node(output.background));
+  return object;
+}
+
+}  // namespace
+
+json::Node build(const Project& project, bool defaults) {
+  ObjectBuilder transition(defaults);
+  add_transition_influence(transition, project.influence, defaults);
+  transition.unless(project.blend == Project{}.blend, "blend", named(kBlends, project.blend));
+
+  ObjectBuilder root(defaults);
+  root.always("morphkit", Node::of_number(1));
+  root.always("source", side_node(project.source));
+  root.always("destination", side_node(project.destination));
+  root.unless(project.groups.empty(), "groups", list_node(project.groups, group_node, defaults));
+  root.unless(project.features.empty(), "features", list_node(project.features, feature_node, defaults));
+  root.object("warp", warp_object(project, defaults));
+  root.object("transition", std::move(transition));
+  root.object("output", output_object(project.output, defaults));
+  Node node = root.take();
+  node.expand = true;
+  return node;
+}
+
+}  // namespace morphkit::project

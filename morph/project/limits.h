@@ -1,0 +1,24 @@
+#pragma once
+// What the loader accepts at most. Far beyond any real project, close enough to keep hostile files cheap.
+// The same figures stand in schema_text() and docs/project-file.md; tests hold the three together.
+
+#include <cstddef>
+
+namespace morphkit::project {
+
+inline constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxDepth = 32;
+inline constexpr std::size_t kMaxValues = 4'000'000;
+inline constexpr std::size_t kMaxFeatures = 100'000;
+inline constexpr std::size_t kMaxPoints = 100'000;  ///< of one side of a curve; also keys of an easing
+inline constexpr double kMaxCoordinate = 1e6;       ///< px
+inline constexpr int kMaxSize = 65'536;             ///< px, each axis of the output
+inline constexpr double kMaxArea = 1 << 30;         ///< px
+inline constexpr int kMaxFrames = 10'000'000;
+inline constexpr int kMaxStart = 1'000'000'000;
+inline constexpr int kMaxFps = 1'000;
+inline constexpr int kMaxFpsTerm = 1'000'000;  ///< numerator and denominator
+inline constexpr int kMaxTurns = 1'000;
+inline constexpr double kMaxFalloff = 8;  ///< b
+
+}  // namespace morphkit::project

@@ -1,0 +1,261 @@
+#include "morph/project/read_project.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "morph/project/limits.h"
+#include "morph/project/values.h"
+
+namespace morphkit::project {
+namespace {
+
+using json::Kind;
+using Points = std::vector<cv::Point2d>;
+
+void read_number(const Cursor& at, std::string_view key, double least, double most, std::optional<double>& value) {
+  if (const auto found = at.find(key)) value = found->number(least, most);
+}
+
+/// The keys of "warp" that groups and features share with the project.
+void read_warp_influence(const Cursor& at, Influence& influence) {
+  read_number(at, "a", 0, kMaxCoordinate, influence.a);
+  read_number(at, "b", 0, kMaxFalloff, influence.b);
+  read_number(at, "p", 0, 1, influence.p);
+  if (const auto scale = at.find("scale")) influence.scale = choose(*scale, "scale", kScales);
+  if (const auto between = at.find("between")) influence.between = choose(*between, "way between", kBetweens);
+  if (const auto turns = at.find("turns")) influence.turns = turns->integer(-kMaxTurns, kMaxTurns);
+}
+
+void read_transition_influence(const Cursor& at, Influence& influence) {
+  if (const auto shape = at.find("shape")) influence.shape = read_timing(*shape);
+  if (const auto dissolve = at.find("dissolve")) influence.dissolve = read_timing(*dissolve);
+}
+
+/// "warp" and "transition" of a group or a feature.
+Influence read_influence(const Cursor& at) {
+  Influence influence;
+  if (const auto warp = at.find("warp")) {
+    warp->allow_keys({"a", "b", "p", "scale", "between", "turns"});
+    read_warp_influence(*warp, influence);
+  }
+  if (const auto transition = at.find("transition")) {
+    transition->allow_keys({"shape", "dissolve"});
+    read_transition_influence(*transition, influence);
+  }
+  return influence;
+}
+
+cv::Point2d read_point(const Cursor& at) {
+  at.expect_array(2, 2, "a point [x, y] in pixels");
+  return {at.item(0).number(-kMaxCoordinate, kMaxCoordinate), at.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
+}
+
+Points read_points(const Cursor& at, std::size_t least, std::size_t most, const std::string& what) {
+  at.expect_array(least, most, what);
+  Points points;
+  points.reserve(at.size());
+  for (std::size_t i = 0; i < at.size(); ++i) points.push_back(read_point(at.item(i)));
+  return points;
+}
+
+constexpr const char* kBothSides = "a feature needs its place on both sides";
+
+void read_line(const Cursor& at, Feature& feature) {
+  at.allow_keys({"source", "destination"});
+  feature.kind = FeatureKind::kLine;
+  const auto ends = [&](const char* key) {
+    return read_points(at.require(key, kBothSides), 2, 2, "the two ends of a line [[x, y], [x, y]]");
+  };
+  feature.source = ends("source");
+  feature.destination = ends("destination");
+  const bool source_is_point = feature.source[0] == feature.source[1];
+  if (source_is_point != (feature.destination[0] == feature.destination[1])) {
+    at.require(source_is_point ? "source" : "destination", kBothSides)
+        .fail("both ends lie at the same place on this side only; move one of them, or make it a \"point\"");
+  }
+}
+
+void read_point_feature(const Cursor& at, Feature& feature) {
+  at.allow_keys({"source", "destination"});
+  feature.kind = FeatureKind::kPoint;
+  feature.source = {read_point(at.require("source", kBothSides))};
+  feature.destination = {read_point(at.require("destination", kBothSides))};
+}
+
+void read_curve(const Cursor& at, Feature& feature) {
+  at.allow_keys({"source", "destination", "spline", "closed"});
+  feature.kind = FeatureKind::kCurve;
+  if (const auto spline = at.find("spline")) feature.curve = choose(*spline, "spline", kCurves);
+  if (const auto closed = at.find("closed")) feature.closed = closed->boolean();
+  const auto side = [&](const char* key) {
+    const Cursor points_at = at.require(key, kBothSides);
+    Points points = read_points(points_at, 2, kMaxPoints, fmt::format("2 to {} points [[x, y], ...]", kMaxPoints));
+    if (const auto problem = motion::Curve::problem(feature.curve, points, feature.closed)) points_at.fail(*problem);
+    return points;
+  };
+  feature.source = side("source");
+  feature.destination = side("destination");
+  const auto joined = [](const Points& points) { return points.front() == points.back(); };
+  if (!feature.closed && joined(feature.source) != joined(feature.destination)) {
+    at.require(joined(feature.source) ? "source" : "destination", kBothSides)
+        .fail("the curve ends where it starts on this side only; let both sides do so, or neither");
+  }
+}
+
+Feature read_feature(const Cursor& at) {
+  at.allow_keys({"id", "group", "line", "point", "curve", "warp", "transition"});
+  Feature feature;
+  feature.id = at.require("id", "give the feature a name of its own").name("an id");
+  if (const auto group = at.find("group")) feature.group = group->name("a group");
+  const auto line = at.find("line"), point = at.find("point"), curve = at.find("curve");
+  if (line.has_value() + point.has_value() + curve.has_value() != 1) {
+    at.fail("a feature is exactly one of \"line\", \"point\" and \"curve\"");
+  }
+  if (line) read_line(*line, feature);
+  if (point) read_point_feature(*point, feature);
+  if (curve) read_curve(*curve, feature);
+  feature.influence = read_influence(at);
+  return feature;
+}
+
+Group read_group(const Cursor& at) {
+  at.allow_keys({"id", "warp", "transition"});
+  return {at.require("id", "give the group a name of its own").name("an id"), read_influence(at)};
+}
+
+/// Reads an array of things that have ids of their own.
+template <typename T>
+std::vector<T> read_list(const Cursor& root, const char* key, T (*read)(const Cursor&)) {
+  std::vector<T> list;
+  const auto at = root.find(key);
+  if (!at) return list;
+  at->expect_array(0, kMaxFeatures, fmt::format("an array of at most {} {}", kMaxFeatures, key));
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < at->size(); ++i) {
+    const Cursor item = at->item(i);
+    list.push_back(read(item));
+    if (!ids.insert(list.back().id).second) {
+      item.find("id")->fail(
+          fmt::format("the id {} occurs twice in {}; each needs its own", json::shown(list.back().id), key));
+    }
+  }
+  return list;
+}
+
+void check_groups(const Cursor& root, const std::vector<Feature>& features, const std::vector<Group>& groups) {
+  std::set<std::string_view> known;
+  for (const Group& group : groups) known.insert(group.id);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string& group = features[i].group;
+    if (group.empty() || known.contains(group)) continue;
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    const auto meant = nearest(group, names);
+    root.find("features")
+        ->item(i)
+        .find("group")
+        ->fail(fmt::format("no group has the id {}; {}", json::shown(group),
+                           meant ? fmt::format("did you mean {}?", json::shown(*meant)) : "add it to \"groups\""));
+  }
+}
+
+Side read_side(const Cursor& at) {
+  at.allow_keys({"image", "colorspace"});
+  static constexpr std::pair<std::string_view, std::string_view> kSpaces[] = {{"srgb", "srgb"}, {"linear", "linear"}};
+  Side side;
+  side.image = at.require("image", "name a picture, e.g. {\"image\": \"cat.png\"}").name("the path of an image");
+  if (const auto space = at.find("colorspace")) side.colorspace = choose(*space, "colour space", kSpaces);
+  return side;
+}
+
+void read_warp(const Cursor& at, Project& project) {
+  at.allow_keys({"method", "a", "b", "p", "scale", "between", "turns", "filter", "border"});
+  if (const auto method = at.find("method"); method && method->string() != "lines") {
+    method->fail(fmt::format("the method {} is not known; expected \"lines\"", json::shown(method->string())));
+  }
+  if (const auto filter = at.find("filter")) project.warp.filter = choose(*filter, "filter", kFilters);
+  if (const auto border = at.find("border")) project.warp.border = choose(*border, "border", kBorders);
+  read_warp_influence(at, project.influence);
+}
+
+void read_transition(const Cursor& at, Project& project) {
+  at.allow_keys({"shape", "dissolve", "blend"});
+  read_transition_influence(at, project.influence);
+  if (const auto blend = at.find("blend")) project.blend = choose(*blend, "blend", kBlends);
+}
+
+cv::Size read_size(const Cursor& at) {
+  at.expect_array(2, 2, "[width, height] in pixels");
+  const cv::Size size(at.item(0).integer(1, kMaxSize), at.item(1).integer(1, kMaxSize));
+  if (static_cast<double>(size.width) * size.height > kMaxArea) {
+    at.fail(fmt::format("{} x {} is more than {} pixels", size.width, size.height, json::number_text(kMaxArea)));
+  }
+  return size;
+}
+
+Output read_output(const Cursor& at) {
+  at.allow_keys({"size", "fit", "frames", "start", "fps", "background"});
+  Output output;
+  if (const auto size = at.find("size")) output.size = read_size(*size);
+  if (const auto fit = at.find("fit")) output.fit = choose(*fit, "fit", kFits);
+  if (const auto frames = at.find("frames")) output.frames = frames->integer(1, kMaxFrames);
+  if (const auto start = at.find("start")) output.start = start->integer(0, kMaxStart);
+  if (const auto fps = at.find("fps")) {
+    const Rate rate = read_fps(*fps);
+    output.fps_num = rate.num;
+    output.fps_den = rate.den;
+  }
+  if (const auto background = at.find("background")) output.background = read_background(*background);
+  return output;
+}
+
+/// The version comes first: a newer file may have keys that this program cannot know.
+void check_version(const Cursor& root) {
+  if (!root.is(Kind::kObject)) root.fail_expected("an object {\"morphkit\": 1, ...}");
+  const Cursor version = root.require("morphkit", "the version of the file's form, \"morphkit\": 1");
+  if (!version.is(Kind::kNumber)) version.fail_expected("the version, a number");
+  const double value = version.node().number;
+  if (value > 1)
+    version.fail(fmt::format("version {} is newer than this program, which reads version 1", json::number_text(value)));
+  if (value != 1) version.fail(fmt::format("there is no version {}; expected 1", json::number_text(value)));
+  root.allow_keys({"morphkit", "source", "destination", "groups", "features", "warp", "transition", "output"});
+}
+
+}  // namespace
+
+Project read_project(const Document& document) {
+  const Cursor root(document);
+  check_version(root);
+  Project project;
+  project.source = read_side(root.require("source", "the picture to start from, {\"image\": \"cat.png\"}"));
+  project.destination = read_side(root.require("destination", "the picture to arrive at, {\"image\": \"tiger.png\"}"));
+  project.groups = read_list(root, "groups", read_group);
+  project.features = read_list(root, "features", read_feature);
+  check_groups(root, project.features, project.groups);
+  if (const auto warp = root.find("warp")) read_warp(*warp, project);
+  if (const auto transition = root.find("transition")) read_transition(*transition, project);
+  if (const auto output = root.find("output")) project.output = read_output(*output);
+  return project;
+}
+
+void read_features_over(Project& project, const Document& document) {
+  const Cursor root(document);
+  check_version(root);
+  root.require("features", "this file is asked for its features");
+  // What is not taken over is checked all the same: a file is good or bad whatever it is used for.
+  for (const char* side : {"source", "destination"}) {
+    if (const auto at = root.find(side)) read_side(*at);
+  }
+  if (const auto output = root.find("output")) read_output(*output);
+  Project result = project;
+  result.groups = read_list(root, "groups", read_group);
+  result.features = read_list(root, "features", read_feature);
+  check_groups(root, result.features, result.groups);
+  if (const auto warp = root.find("warp")) read_warp(*warp, result);
+  if (const auto transition = root.find("transition")) read_transition(*transition, result);
+  project = std::move(result);
+}
+
+}  // namespace morphkit::project
