@@ -1,0 +1,89 @@
+#include "cli/cmd_check.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/cmd_morph.h"
+#include "cli/command.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+#include "morph/render/check.h"
+
+namespace morphkit::cli {
+namespace {
+
+Report report_of(const render::Finding& finding) {
+  Report features = Report::array();
+  for (const std::string& id : finding.features) features.push(id);
+  Report report;
+  report.set("kind", render::name_of(finding.kind)).set("level", finding.warning ? "warning" : "note");
+  report.set("where", finding.where).set("features", features).set("t", finding.t);
+  report.set("x", finding.position.x).set("y", finding.position.y);
+  if (finding.kind == render::Finding::Kind::kFold) report.set("count", finding.count).set("area_px", finding.area_px);
+  return report.set("message", finding.message);
+}
+
+void print_json(const std::vector<render::Finding>& findings, const std::vector<std::string>& notes, bool good,
+                Output& output) {
+  Report list = Report::array();
+  for (const render::Finding& finding : findings) list.push(report_of(finding));
+  Report nonfinite = Report::array();
+  for (const std::string& note : notes) nonfinite.push(note);
+  Report report;
+  report.set("ok", good).set("findings", list).set("notes", nonfinite);
+  output.line(report.to_json());
+}
+
+void print_text(const std::vector<render::Finding>& findings, const std::vector<std::string>& notes,
+                const render::Renderer& renderer, Output& output) {
+  for (const std::string& note : notes) output.line("note: " + note);
+  for (const render::Finding& finding : findings)
+    output.line(fmt::format("{}: {}", finding.warning ? "warning" : "note", finding.message));
+  if (findings.empty())
+    output.line(fmt::format("nothing to complain of: {} features as {} lines", renderer.project().features.size(),
+                            renderer.pairs().size()));
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(
+      app, session,
+      {"check", "Look for crossing lines, near-twins, marks outside their picture and folds; exit code 5 if any",
+       "  morphkit check pair.json\n"
+       "  morphkit check pair.json --json",
+       kInspectGroup});
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
+      ->type_name("| A B")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
+  command->add_flag("--json", options->json, "Print the findings as JSON");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_check(*options, output); }; });
+}
+
+int run_check(const CheckOptions& options, Output& output) {
+  const project::Project project = project_from(options.inputs, options.features);
+  render::Pictures pictures = render::load_pictures(project);
+  std::vector<std::string> notes;
+  for (const auto& [side, picture] :
+       {std::pair(&project.source, &pictures.source), std::pair(&project.destination, &pictures.destination)})
+    if (picture->nonfinite_pixels > 0)
+      notes.push_back(
+          fmt::format("{}: {} pixels are NaN or infinite", side->image.string(), picture->nonfinite_pixels));
+  const render::Renderer renderer(project, std::move(pictures));
+  const std::vector<render::Finding> findings = render::check(renderer);
+  const bool good = std::none_of(findings.begin(), findings.end(), [](const auto& f) { return f.warning; });
+  if (options.json)
+    print_json(findings, notes, good, output);
+  else
+    print_text(findings, notes, renderer, output);
+  return good ? 0 : kExitDifference;
+}
+
+}  // namespace morphkit::cli

@@ -1,0 +1,27 @@
+#pragma once
+// morphkit check PROJECT: what will tear, fold or be lost, before anybody renders it.
+
+#include <filesystem>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct CheckOptions {
+  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
+  std::filesystem::path features;             ///< for two pictures; empty: none
+  bool json = false;
+};
+
+void add_check(CLI::App& app, Session& session);
+
+/// @return 0 if there is nothing to warn of, else kExitDifference.
+int run_check(const CheckOptions& options, Output& output);
+
+}  // namespace morphkit::cli

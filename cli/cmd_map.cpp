@@ -1,0 +1,88 @@
+#include "cli/cmd_map.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/cmd_morph.h"
+#include "cli/command.h"
+#include "cli/frame_range.h"
+#include "cli/interrupt.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+#include "morph/media/frame_pattern.h"
+#include "morph/media/image_file.h"
+#include "morph/render/renderer.h"
+#include "morph/render/stmap.h"
+
+namespace morphkit::cli {
+namespace {
+
+void write_moment(const MapOptions& options, const render::Renderer& renderer, double t,
+                  const std::filesystem::path& file) {
+  const render::SideName side =
+      options.side == "destination" ? render::SideName::kDestination : render::SideName::kSource;
+  const render::Origin origin = options.origin == "top-left" ? render::Origin::kTopLeft : render::Origin::kBottomLeft;
+  media::write_map(file, render::stmap(renderer.map(t, side), renderer.picture_size(side), origin), options.overwrite);
+}
+
+int write_frames(const MapOptions& options, const render::Renderer& renderer, Output& output) {
+  const project::Output& out = renderer.project().output;
+  const std::vector<int> frames = parse_frame_range(options.frames, out.start, out.start + out.frames - 1);
+  const media::FramePattern pattern(options.output);
+  ProgressBar bar(output, "maps");
+  int done = 0;
+  for (const int frame : frames) {
+    if (interrupted())
+      throw Error(ErrorCode::kInterrupted, "", fmt::format("interrupted after {} of {} maps", done, frames.size()));
+    write_moment(options, renderer, renderer.time_of(frame), pattern(frame));
+    bar.update(++done, 0, static_cast<int>(frames.size()));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(app, session,
+                                  {"map", "Write the map of a moment as an STMap (32-bit float EXR) for any compositor",
+                                   "  morphkit map pair.json -t 0.5 -o stmap.exr\n"
+                                   "  morphkit map pair.json --frames 1-48 --side destination -o stmap.%04d.exr",
+                                   kRenderGroup});
+  auto options = std::make_shared<MapOptions>();
+  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
+      ->type_name("| A B")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
+  command->add_option("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1.0).description(""));
+  command->add_option("--frames", options->frames, "Or these frames, into numbered files")->type_name("RANGE");
+  command->add_option("--side", options->side, "Which picture the map looks into: source (default), destination")
+      ->type_name("SIDE")
+      ->check(CLI::IsMember({"source", "destination"}).description(""));
+  command->add_option("--origin", options->origin, "Where (0, 0) lies: bottom-left (default), top-left")
+      ->type_name("CORNER")
+      ->check(CLI::IsMember({"bottom-left", "top-left"}).description(""));
+  command->add_option("-o,--output", options->output, "The file, or a numbered name for frames")
+      ->type_name("OUT.exr")
+      ->required();
+  command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_map(*options, output); }; });
+}
+
+int run_map(const MapOptions& options, Output& output) {
+  if (options.t.has_value() == !options.frames.empty())
+    throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
+  const project::Project project = project_from(options.inputs, options.features);
+  const render::Renderer renderer(project, render::load_pictures(project));
+  if (!options.t) return write_frames(options, renderer, output);
+  write_moment(options, renderer, *options.t, options.output);
+  output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));
+  return 0;
+}
+
+}  // namespace morphkit::cli

@@ -1,0 +1,34 @@
+#pragma once
+// morphkit map: the map itself, as an STMap for any compositor.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct MapOptions {
+  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
+  std::filesystem::path features;             ///< for two pictures; empty: none
+  std::optional<double> t;                    ///< one moment
+  std::string frames;                         ///< or frames: "1-48"
+  std::string side = "source";                ///< "source" | "destination"
+  std::string origin = "bottom-left";         ///< "bottom-left" | "top-left"
+  std::filesystem::path output;
+  bool overwrite = false;
+};
+
+void add_map(CLI::App& app, Session& session);
+
+/// @return the exit code.
+int run_map(const MapOptions& options, Output& output);
+
+}  // namespace morphkit::cli

@@ -1,0 +1,238 @@
+#include "cli/cmd_morph.h"
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/frame_range.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+#include "morph/media/frame_sink.h"
+#include "morph/media/image_file.h"
+#include "morph/render/renderer.h"
+#include "morph/render/run.h"
+
+namespace morphkit::cli {
+namespace {
+
+const std::map<std::string, project::Fit> kFits{{"contain", project::Fit::kContain},
+                                                {"cover", project::Fit::kCover},
+                                                {"stretch", project::Fit::kStretch},
+                                                {"none", project::Fit::kNone}};
+
+/// Two positive whole numbers joined by `separator`.
+std::optional<std::pair<int, int>> two_numbers(const std::string& text, char separator) {
+  const char* const end = text.data() + text.size();
+  std::pair<int, int> numbers;
+  const auto first = std::from_chars(text.data(), end, numbers.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
+  if (second.ec != std::errc() || second.ptr != end || numbers.first < 1 || numbers.second < 1) return std::nullopt;
+  return numbers;
+}
+
+cv::Size parse_size(const std::string& text) {
+  constexpr int kLimit = 65536;
+  const auto size = two_numbers(text, 'x');
+  if (!size || size->first > kLimit || size->second > kLimit)
+    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
+  return {size->first, size->second};
+}
+
+void apply_overrides(const MorphOptions& options, project::Project& project) {
+  project::Output& output = project.output;
+  if (!options.size.empty()) output.size = parse_size(options.size);
+  if (!options.fit.empty()) output.fit = kFits.at(options.fit);
+  if (options.frame_count > 0) output.frames = options.frame_count;
+  if (options.fps.empty()) return;
+  const auto rate = two_numbers(options.fps.find('/') == std::string::npos ? options.fps + "/1" : options.fps, '/');
+  if (!rate)
+    throw Error(ErrorCode::kUsage, "--fps", fmt::format("'{}' is no rate; write 25 or 30000/1001", options.fps));
+  std::tie(output.fps_num, output.fps_den) = *rate;
+}
+
+void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
+  const auto warn = [&](const project::Side& side, const media::Picture& picture) {
+    if (picture.nonfinite_pixels > 0)
+      output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there",
+                                 side.image.string(), picture.nonfinite_pixels));
+  };
+  warn(project.source, pictures.source);
+  warn(project.destination, pictures.destination);
+  if (project.features.empty())
+    output.warning(
+        "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
+        "corresponds: lines, points and curves in a project file. 'morphkit demo' writes one to copy from; "
+        "docs/project-file.md explains it");
+}
+
+media::SinkOptions sink_options(const MorphOptions& options, const render::Renderer& renderer,
+                                std::shared_ptr<const media::Metadata> metadata) {
+  const project::Output& output = renderer.project().output;
+  media::SinkOptions sink;
+  sink.size = renderer.size();
+  sink.fps_num = output.fps_num;
+  sink.fps_den = output.fps_den;
+  sink.has_alpha = renderer.has_alpha();
+  sink.image.depth = media::depth_from(options.depth);
+  sink.image.overwrite = options.overwrite;
+  sink.image.metadata = std::move(metadata);
+  if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
+  return sink;
+}
+
+void refuse_to_overwrite(const media::FrameSink& sink, const std::vector<int>& frames, const MorphOptions& options) {
+  if (options.overwrite || options.resume) return;
+  const std::vector<std::filesystem::path> existing = sink.existing(frames);
+  if (existing.empty()) return;
+  throw Error(ErrorCode::kIo, existing.front().string(),
+              fmt::format("exists{}; use --overwrite to replace, or --resume to render only what is missing",
+                          existing.size() > 1 ? fmt::format(", and {} more", existing.size() - 1) : ""));
+}
+
+std::string size_text(cv::Size size) {
+  return fmt::format("{}x{}", size.width, size.height);
+}
+
+void say_what_was_done(const MorphOptions& options, const render::Renderer& renderer, const render::Progress& done,
+                       double elapsed_s, Output& output) {
+  if (options.json) {
+    Report report;
+    report.set("output", options.output.string()).set("width", renderer.size().width);
+    report.set("height", renderer.size().height).set("frames", done.done).set("skipped", done.skipped);
+    report.set("seconds", elapsed_s);
+    output.line(report.to_json());
+    return;
+  }
+  output.note(fmt::format("{}: {} {} of {}{} in {:.1f} s", options.output.string(), done.done,
+                          done.done == 1 ? "frame" : "frames", size_text(renderer.size()),
+                          done.skipped > 0 ? fmt::format(", {} were there already,", done.skipped) : "", elapsed_s));
+}
+
+int render_moment(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink,
+                  Output& output) {
+  const auto start = std::chrono::steady_clock::now();
+  media::write_image(options.output, renderer.frame(*options.t), sink.image);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  say_what_was_done(options, renderer, {1, 0, 1, 0}, elapsed.count(), output);
+  return 0;
+}
+
+int render_frames(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink_options,
+                  Output& output) {
+  const project::Output& out = renderer.project().output;
+  const int last = out.start + out.frames - 1;
+  render::RunOptions run;
+  run.frames = parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", out.start, last) : options.frames,
+                                 out.start, last);
+  run.resume = options.resume;
+  run.cancelled = interrupted;
+  const auto sink = media::open_sink(options.output, sink_options, run.frames.size() == 1);
+  refuse_to_overwrite(*sink, run.frames, options);
+
+  const auto start = std::chrono::steady_clock::now();
+  render::Progress done;
+  {
+    ProgressBar bar(output, "frames");
+    run.on_progress = [&](const render::Progress& p) { bar.update(p.done, p.skipped, p.total); };
+    done = render::run(renderer, *sink, run);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  say_what_was_done(options, renderer, done, elapsed.count(), output);
+  return 0;
+}
+
+void add_options(CLI::App& command, MorphOptions& options) {
+  command.add_option("PROJECT", options.inputs, "A project file, or two pictures")
+      ->type_name("| A B")
+      ->required()
+      ->expected(1, 2);
+  command
+      .add_option("-o,--output", options.output,
+                  "frame.%04d.png or frame.####.exr for frames; .mp4 .webm .mkv .mov .gif .apng; with -t a picture")
+      ->type_name("OUT")
+      ->required();
+  command
+      .add_option("--features", options.features, "Features for two pictures: a project file, or its features alone")
+      ->type_name("F");
+  command.add_option("--frames", options.frames, "Only these frames: 1-240, 1-240x2, 1,5,9-12, 10-")
+      ->type_name("RANGE");
+  command.add_option("-t,--time", options.t, "One picture at this moment, 0 (source) to 1 (destination)")
+      ->type_name("T")
+      ->check(CLI::Range(0.0, 1.0).description(""));
+  command.add_option("-n,--frame-count", options.frame_count, "Number of frames from first to last")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000'000).description(""));
+  command.add_option("--size", options.size, "Size of the output in pixels")->type_name("WxH");
+  command.add_option("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none")
+      ->type_name("FIT")
+      ->check(CLI::IsMember(kFits).description(""));
+  command.add_option("--fps", options.fps, "Frames per second of a video: 25, 30000/1001")->type_name("RATE");
+  command.add_option("--depth", options.depth, "Bits of frame files: 8, 16, half, float")->type_name("DEPTH");
+  command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
+      ->type_name("Q")
+      ->check(CLI::Range(0, 100).description(""));
+  command.add_flag("--resume", options.resume, "Render only the frames that are not there yet");
+  command.add_flag("-y,--overwrite", options.overwrite, "Replace files that exist");
+  command.add_flag("--json", options.json, "Print what was done as JSON");
+}
+
+}  // namespace
+
+void add_morph(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(app, session,
+                                  {"morph", "Render a morph: numbered frames, a video, an animation or one picture",
+                                   "  morphkit morph pair.json -o out.mp4\n"
+                                   "  morphkit morph a.jpg b.jpg --features pair.json -o frame.%04d.png\n"
+                                   "  morphkit morph pair.json --frames 1-240x2 --resume -o frame.####.exr\n"
+                                   "  morphkit morph pair.json -t 0.5 -o middle.png",
+                                   kRenderGroup});
+  auto options = std::make_shared<MorphOptions>();
+  add_options(*command, *options);
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_morph(*options, output); }; });
+}
+
+project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features) {
+  if (inputs.size() == 2) {
+    project::Project project;
+    project.source.image = inputs[0];
+    project.destination.image = inputs[1];
+    if (!features.empty()) project::load_features(project, features);
+    return project;
+  }
+  if (!features.empty())
+    throw Error(ErrorCode::kUsage, "--features", "goes with two pictures; a project has its own features");
+  if (media::is_image_extension(inputs.front()))
+    throw Error(ErrorCode::kUsage, inputs.front().string(),
+                "is one picture; give two pictures, or a project file that names them");
+  return project::load(inputs.front());
+}
+
+int run_morph(const MorphOptions& options, Output& output) {
+  if (options.t && !options.frames.empty())
+    throw Error(ErrorCode::kUsage, "-t", "is one moment; it does not go with --frames");
+  if (options.resume && options.overwrite)
+    throw Error(ErrorCode::kUsage, "--resume", "keeps what is there and --overwrite replaces it; choose one");
+  project::Project project = project_from(options.inputs, options.features);
+  apply_overrides(options, project);
+  render::Pictures pictures = render::load_pictures(project);
+  say_what_was_read(project, pictures, output);
+  const auto metadata = pictures.source.metadata;
+  const render::Renderer renderer(std::move(project), std::move(pictures));
+  output.detail(fmt::format("canvas {}, {} features as {} lines", size_text(renderer.size()),
+                            renderer.project().features.size(), renderer.pairs().size()));
+  const media::SinkOptions sink = sink_options(options, renderer, metadata);
+  return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
+}
+
+}  // namespace morphkit::cli

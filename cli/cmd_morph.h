@@ -1,0 +1,46 @@
+#pragma once
+// morphkit morph: render a morph into frames, a video, an animation or one picture.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morph/project/project.h"
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct MorphOptions {
+  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
+  std::filesystem::path features;             ///< for two pictures; empty: none
+  std::filesystem::path output;
+  std::string frames;       ///< "1-240x2"; empty: all
+  std::optional<double> t;  ///< one picture at this moment instead of frames
+  int frame_count = 0;      ///< 0: as the project says
+  std::string size;         ///< "1280x720"; empty: as the project says
+  std::string fps;          ///< "25", "30000/1001"; empty: as the project says
+  std::string fit;          ///< "contain" | "cover" | "stretch" | "none"; empty: as the project says
+  std::string depth = "auto";
+  int quality = -1;  ///< JPEG and WebP 1..100; CRF of videos; -1: a good default
+  bool overwrite = false;
+  bool resume = false;
+  bool json = false;
+};
+
+void add_morph(CLI::App& app, Session& session);
+
+/// @return the exit code.
+int run_morph(const MorphOptions& options, Output& output);
+
+/// The project that a command's arguments name: a project file, or two pictures with or without features.
+/// @throws Error kUsage if they are neither; as project::load.
+project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features);
+
+}  // namespace morphkit::cli
