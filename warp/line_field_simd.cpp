@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "warp/line_field_tables.h"
 
@@ -35,6 +36,8 @@ constexpr int kHalf = kFieldBlock / 2;
 /// above what a float drops, and sums of many displacements far from overflow.
 constexpr double kScaledPeak = 80;
 constexpr double kUnitRoundoff = 0x1p-24;
+/// For each of the two coordinates, so that their distance keeps to kFieldTolerancePx.
+constexpr double kCoordinateTolerancePx = 0.7 * kFieldTolerancePx;
 
 /// The lines of one chunk as seen from the block's middle pixel. An affine quantity at offset k is
 /// (hi + k slope_hi) + (lo + k slope_lo).
@@ -130,30 +133,38 @@ double block_scale(const FieldTables& tables, double x, double y) {
 /// Writes value as hi + lo. On the grid of 2^-17, hi + k slope_hi is exact in float for every offset k as long as it is
 /// below 2^7, so a value that passes through 0 within a block keeps its relative precision; one that starts above 2^6
 /// cannot come near 0.
-template <class Split>
-HWY_INLINE void split(double value, Split& to, size_t i) {
-  constexpr double kToGrid = 0x1.8p35;  // adding it leaves 17 fraction bits in a double
-  const double on_grid = (value + kToGrid) - kToGrid;
-  const double rounded = static_cast<double>(static_cast<float>(value));
-  const double hi = std::abs(value) < kHalf * 2 ? on_grid : rounded;
-  to.hi[i] = static_cast<float>(hi);
-  to.lo[i] = static_cast<float>(value - hi);
+template <class D, class V, class Split>
+HWY_INLINE void split(D d, V value, Split& to, size_t i) {
+  const hn::Rebind<float, D> df;
+  const V to_grid = hn::Set(d, 0x1.8p35);  // adding it leaves 17 fraction bits in a double
+  const V on_grid = hn::Sub(hn::Add(value, to_grid), to_grid);
+  const V chosen = hn::IfThenElse(hn::Lt(hn::Abs(value), hn::Set(d, 2.0 * kHalf)), on_grid, value);
+  const auto hi = hn::DemoteTo(df, chosen);
+  hn::Store(hi, df, to.hi + i);
+  hn::Store(hn::DemoteTo(df, hn::Sub(value, hn::PromoteTo(d, hi))), df, to.lo + i);
 }
 
 template <int kChannels>
 void fill_geometry(const FieldTables& tables, int begin, const Block<kChannels>& block, Chunk<kChannels>& chunk) {
-  for (size_t i = 0; i < kLineChunk; ++i) {
-    const size_t line = static_cast<size_t>(begin) + i;
-    const double dx = block.x - tables.origin_x[line];
-    const double dy = block.y - tables.origin_y[line];
-    const double along = dx * tables.along_x[line] + dy * tables.along_y[line];
-    split(dy * tables.along_x[line] - dx * tables.along_y[line], chunk.across, i);
-    split(-tables.along_y[line], chunk.across_slope, i);
-    split(-along, chunk.before, i);
-    split(along - tables.length[line], chunk.after, i);
-    split(tables.along_x[line], chunk.along_slope, i);
-    chunk.a[i] = static_cast<float>(tables.a[line]);
-    chunk.root[i] = static_cast<float>(tables.root[line]);
+  const hn::CappedTag<double, kLineChunk> d;
+  const hn::Rebind<float, decltype(d)> df;
+  using V = hn::Vec<decltype(d)>;
+  for (size_t i = 0; i < kLineChunk; i += hn::Lanes(d)) {
+    const auto load = [d, line = static_cast<size_t>(begin) + i](const std::vector<double>& array) {
+      return hn::LoadU(d, array.data() + line);
+    };
+    const V dx = hn::Sub(hn::Set(d, block.x), load(tables.origin_x));
+    const V dy = hn::Sub(hn::Set(d, block.y), load(tables.origin_y));
+    const V ux = load(tables.along_x);
+    const V uy = load(tables.along_y);
+    const V along = hn::Add(hn::Mul(dx, ux), hn::Mul(dy, uy));
+    split(d, hn::Sub(hn::Mul(dy, ux), hn::Mul(dx, uy)), chunk.across, i);
+    split(d, hn::Neg(uy), chunk.across_slope, i);
+    split(d, hn::Neg(along), chunk.before, i);
+    split(d, hn::Sub(along, load(tables.length)), chunk.after, i);
+    split(d, ux, chunk.along_slope, i);
+    hn::Store(hn::DemoteTo(df, load(tables.a)), df, chunk.a + i);
+    hn::Store(hn::DemoteTo(df, load(tables.root)), df, chunk.root + i);
   }
 }
 
@@ -284,36 +295,61 @@ HWY_INLINE V reach_of(D d, V offset, const Chunk<kChannels>& chunk, size_t i) {
   return hn::Add(set(chunk.a[i]), hn::Sqrt(hn::MulAdd(across, across, hn::Mul(beyond, beyond))));
 }
 
-/// Adds a chunk's weights and weighted channels to the sums of a block.
-template <WeightKind kKind, int kChannels>
-void accumulate(const Chunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums) {
-  const hn::CappedTag<float, kFieldBlock> d;
-  using V = hn::Vec<decltype(d)>;
-  for (size_t k = 0; k < kFieldBlock; k += hn::Lanes(d)) {
-    const V offset = hn::Iota(d, static_cast<float>(k) - kHalf);
-    V total = hn::Zero(d);
-    V error = total;
-    V nearest = hn::Load(d, sums.nearest + k);
-    V channel[kChannels];
-    for (int c = 0; c < kChannels; ++c) channel[c] = total;
-    for (size_t i = 0; i < count; ++i) {
-      const V reach = reach_of(d, offset, chunk, i);
-      nearest = hn::Min(nearest, reach);
-      // Pixels on a line are redone; here they only must not become infinite.
-      const V weight = weight_of<kKind>(d, hn::Max(reach, hn::Set(d, static_cast<float>(kOnLinePx))), chunk, i);
-      total = hn::Add(total, weight);
-      error = hn::MulAdd(weight, hn::Set(d, chunk.error[i]), error);
-      for (int c = 0; c < kChannels; ++c) {
-        const V value = hn::MulAdd(offset, hn::Set(d, chunk.slope[c][i]), hn::Set(d, chunk.at[c][i]));
-        channel[c] = hn::MulAdd(weight, value, channel[c]);
-      }
+/// One vector of pixels' sums while they are in registers.
+template <int kChannels, class D>
+struct Lanes {
+  using V = hn::Vec<D>;
+  V offset, total, error, nearest;
+  V channel[kChannels];
+
+  HWY_INLINE void start(D d, size_t k, const Sums<kChannels>& sums) {
+    offset = hn::Iota(d, static_cast<float>(k) - kHalf);
+    total = error = hn::Zero(d);
+    nearest = hn::Load(d, sums.nearest + k);
+    for (V& sum : channel) sum = hn::Zero(d);
+  }
+
+  template <WeightKind kKind>
+  HWY_INLINE void add_line(D d, const Chunk<kChannels>& chunk, size_t i) {
+    const V reach = reach_of(d, offset, chunk, i);
+    nearest = hn::Min(nearest, reach);
+    // Pixels on a line are redone; here they only must not become infinite.
+    const V weight = weight_of<kKind>(d, hn::Max(reach, hn::Set(d, static_cast<float>(kOnLinePx))), chunk, i);
+    total = hn::Add(total, weight);
+    error = hn::MulAdd(weight, hn::Set(d, chunk.error[i]), error);
+    for (size_t c = 0; c < kChannels; ++c) {
+      const V value = hn::MulAdd(offset, hn::Set(d, chunk.slope[c][i]), hn::Set(d, chunk.at[c][i]));
+      channel[c] = hn::MulAdd(weight, value, channel[c]);
     }
+  }
+
+  HWY_INLINE void stop(D d, size_t k, Sums<kChannels>& sums) const {
     hn::Store(nearest, d, sums.nearest + k);
     hn::Store(hn::Add(total, hn::Load(d, sums.weight + k)), d, sums.weight + k);
     hn::Store(hn::Add(error, hn::Load(d, sums.error + k)), d, sums.error + k);
-    for (int c = 0; c < kChannels; ++c) {
+    for (size_t c = 0; c < kChannels; ++c) {
       hn::Store(hn::Add(channel[c], hn::Load(d, sums.channel[c] + k)), d, sums.channel[c] + k);
     }
+  }
+};
+
+/// Adds a chunk's weights and weighted channels to the sums of a block. Two vectors of pixels at a time share the loads
+/// of a line's numbers; a vector never holds more than half a block.
+template <WeightKind kKind, int kChannels>
+void accumulate(const Chunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums) {
+  const hn::CappedTag<float, kHalf> d;
+  const size_t step = hn::Lanes(d);
+  Lanes<kChannels, hn::CappedTag<float, kHalf>> left;
+  Lanes<kChannels, hn::CappedTag<float, kHalf>> right;
+  for (size_t k = 0; k < kFieldBlock; k += 2 * step) {
+    left.start(d, k, sums);
+    right.start(d, k + step, sums);
+    for (size_t i = 0; i < count; ++i) {
+      left.template add_line<kKind>(d, chunk, i);
+      right.template add_line<kKind>(d, chunk, i);
+    }
+    left.stop(d, k, sums);
+    right.stop(d, k + step, sums);
   }
 }
 
@@ -377,7 +413,7 @@ void finish(const FieldTables& tables, const Block<kChannels>& block, const Sums
       means.channel[c][k] = result;
       // Both results are rounded to float at the end: 2^-23 of the position between them. NaN must count as unsafe.
       const double bound = static_cast<double>(sums.error[k] / sums.weight[k]) + std::abs(result) * 0x1p-23;
-      means.unsafe[k] |= !in_pixels || bound <= kFieldTolerancePx ? 0 : 1;
+      means.unsafe[k] |= !in_pixels || bound <= kCoordinateTolerancePx ? 0 : 1;
     }
   }
 }
