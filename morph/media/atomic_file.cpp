@@ -127,6 +127,13 @@ void AtomicFile::reserve() {
   }
 }
 
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+  Descriptor descriptor(::open(temporary_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+  if (descriptor.get() < 0) fail_errno(shown_, "cannot be written", errno);
+  write_all(descriptor.get(), bytes, shown_);
+  if (!descriptor.close()) fail_errno(shown_, "cannot be written", errno);
+}
+
 void AtomicFile::commit() {
   {
     // Without the flush, a power cut after the rename could leave an empty file under the final name, and a network
@@ -150,12 +157,7 @@ void AtomicFile::commit() {
 
 void write_file(const fs::path& file, std::span<const std::uint8_t> bytes, bool overwrite) {
   AtomicFile target(file, overwrite);
-  {
-    Descriptor descriptor(::open(target.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
-    if (descriptor.get() < 0) fail_errno(file.string(), "cannot be written", errno);
-    write_all(descriptor.get(), bytes, file.string());
-    if (!descriptor.close()) fail_errno(file.string(), "cannot be written", errno);
-  }
+  target.write(bytes);
   target.commit();
 }
 

@@ -27,6 +27,9 @@ class AtomicFile {
   /// Where to write. The file exists and is empty; whoever writes must have closed it before `commit`.
   const std::filesystem::path& temporary() const noexcept { return temporary_; }
 
+  /// Writes `bytes` as the whole contents. @throws Error kIo, also on a full disk.
+  void write(std::span<const std::uint8_t> bytes);
+
   /// Flushes the file to the disk and gives it its final name. Without `overwrite`, a file that has appeared there in
   /// the meantime is left alone.
   /// @throws Error kIo; the temporary file is removed by the destructor then.

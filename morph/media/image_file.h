@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,8 @@ Depth depth_from(const std::string& name);
 
 struct WriteOptions {
   Depth depth = Depth::kAuto;
-  int quality = 95;                          ///< JPEG and WebP, 1..100
+  int quality = 95;                          ///< JPEG and WebP, 1..100; 100 is lossless for WebP
+  std::optional<bool> alpha;                 ///< store alpha if the format can; unset: if a pixel is not opaque
   std::shared_ptr<const Metadata> metadata;  ///< carried over if given
   bool overwrite = false;
 };

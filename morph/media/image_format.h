@@ -1,0 +1,49 @@
+#pragma once
+// Which image formats there are: what a file's first bytes say it is, and what a written format can hold.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "morph/media/image_file.h"
+
+namespace morphkit::media {
+
+/// A format that morphkit writes.
+struct WritableFormat {
+  std::string plugin;              ///< OpenImageIO's name
+  std::string shown;               ///< the name that people use
+  std::vector<std::string> names;  ///< extensions, lower case, with the dot
+  std::vector<Depth> depths;       ///< what it can hold; the first is the usual one
+  bool alpha = false;
+  int largest_side = 0;  ///< px
+};
+
+/// The format of the file's extension, in any case; null if morphkit writes none such.
+const WritableFormat* writable_format(const std::filesystem::path& file);
+
+/// ".png .tif ...": every extension of writable_format.
+std::string writable_extensions();
+
+/// What `file` is by its first bytes ("png", "openexr", ...; TGA, which has none, by its extension).
+/// @throws Error kIo if it is missing, a folder or unreadable; kBadInput if it is empty or nothing known.
+std::string sniff_format(const std::filesystem::path& file);
+
+/// "8 bit" | "16 bit" | "half" | "float".
+std::string shown_depth(Depth depth);
+
+/// What readers refuse before they allocate anything.
+struct ImageLimits {
+  std::int64_t pixels = std::int64_t{1} << 30;
+  int side = 65536;     ///< px
+  int channels = 1024;  ///< EXR files of renderers hold hundreds
+};
+
+/// The limits in force; set_image_limits replaces them (for fuzzing and tests; not while files are being read).
+const ImageLimits& image_limits();
+void set_image_limits(const ImageLimits& limits);
+
+/// @throws Error kBadInput with the size and the limit if the header promises nothing, or too much.
+void check_size(const std::filesystem::path& file, std::int64_t width, std::int64_t height, std::int64_t channels);
+
+}  // namespace morphkit::media

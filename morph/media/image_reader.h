@@ -1,0 +1,58 @@
+#pragma once
+// The machinery behind read_info and read_picture: an open file with what its header says.
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "morph/media/image_file.h"
+#include "morph/media/pixel_codec.h"
+
+namespace morphkit::media {
+
+/// Makes OpenImageIO work in the calling thread only (frames are what runs in parallel) and leaves limits to us. Called
+/// before every use; cheap.
+void init_openimageio();
+
+/// One image of a file, opened by what its first bytes say it is, whatever its extension; the first part of many.
+class ImageReader {
+ public:
+  /// @throws Error as read_info does; nothing of the picture's size has been allocated before the limits are checked.
+  explicit ImageReader(const std::filesystem::path& file);
+
+  /// @param space  overrides what the file says of its colour.
+  ImageInfo info(ColorSpace space) const;
+  std::shared_ptr<const Metadata> metadata() const;
+
+  /// The pixels, upright. @param nonfinite  receives the number of pixels that were not finite.
+  warp::Image read(ColorSpace space, std::int64_t& nonfinite);
+
+ private:
+  void open();
+  void check() const;
+  bool is_display_window() const;
+  void choose_channels();
+  Transfer transfer(ColorSpace space) const;
+  StoredLayout layout(ColorSpace space) const;
+  void read_rows(int begin, int end, OIIO::TypeDesc type, void* data);
+  warp::Image read_stored(const PixelDecoder& decoder, std::int64_t& nonfinite);
+  warp::Image read_webp(const PixelDecoder& decoder, std::int64_t& nonfinite);
+  warp::Image to_display_window(const warp::Image& data_window) const;
+
+  std::filesystem::path file_;
+  std::string format_;
+  std::vector<std::uint8_t> bytes_;                        ///< the whole file, where it was looked through first
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory_;  ///< outlives input_
+  std::unique_ptr<OIIO::ImageInput> input_;
+  OIIO::ImageSpec spec_;
+  int orientation_ = 1;
+  int r_ = -1, g_ = -1, b_ = -1, a_ = -1;  ///< channels of the file; -1: none
+  int channel_begin_ = 0, channel_end_ = 0;
+};
+
+}  // namespace morphkit::media

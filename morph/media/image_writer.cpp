@@ -1,0 +1,247 @@
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <system_error>
+
+#include "morph/error.h"
+#include "morph/media/atomic_file.h"
+#include "morph/media/image_file.h"
+#include "morph/media/image_format.h"
+#include "morph/media/image_reader.h"
+#include "morph/media/metadata.h"
+#include "morph/media/pixel_codec.h"
+#include "morph/media/webp_codec.h"
+#include "warp/parallel.h"
+
+namespace morphkit::media {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr float kLargestHalf = 65504.0F;
+
+/// zlib's level 2: a third of the time of OpenImageIO's default for a file that is a few per cent larger.
+constexpr int kPngLevel = 2;
+
+const WritableFormat& format_of(const fs::path& name) {
+  if (const WritableFormat* format = writable_format(name)) return *format;
+  throw Error(ErrorCode::kUsage, name.string(),
+              fmt::format("no image format has the extension \"{}\"; use one of {}", name.extension().string(),
+                          writable_extensions()));
+}
+
+Depth resolve_depth(const fs::path& name, const WritableFormat& format, Depth wanted) {
+  if (wanted == Depth::kAuto) return format.depths.front();
+  if (std::find(format.depths.begin(), format.depths.end(), wanted) != format.depths.end()) return wanted;
+  std::string known;
+  for (const Depth depth : format.depths) known += (known.empty() ? "" : " or ") + shown_depth(depth);
+  throw Error(ErrorCode::kUsage, name.string(),
+              fmt::format("{} cannot hold {} samples, only {}", format.shown, shown_depth(wanted), known));
+}
+
+void check_writable(const fs::path& name, const WritableFormat& format, int width, int height) {
+  if (width < 1 || height < 1) throw Error(ErrorCode::kUsage, name.string(), "the image has no pixels");
+  if (width > format.largest_side || height > format.largest_side) {
+    throw Error(ErrorCode::kUsage, name.string(),
+                fmt::format("{} x {} pixels are too many for {}, which holds at most {} on a side", width, height,
+                            format.shown, format.largest_side));
+  }
+}
+
+bool is_opaque(const warp::Image& image) {
+  return std::all_of(image.begin(), image.end(), [](const warp::Pixel& pixel) { return pixel[3] == 1.0F; });
+}
+
+struct Samples {
+  SampleType type = SampleType::kU8;
+  int channels = 3;
+  Bytes bytes;
+};
+
+Samples encode_samples(const warp::Image& image, SampleType type, int channels) {
+  const PixelEncoder encoder(type, channels);
+  Samples result{type, channels, {}};
+  const std::size_t row_bytes =
+      static_cast<std::size_t>(image.cols) * static_cast<std::size_t>(channels) * sample_bytes(type);
+  result.bytes.resize(row_bytes * static_cast<std::size_t>(image.rows));
+  warp::for_rows(image.rows, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      encoder.encode(image[y], image.cols, result.bytes.data() + row_bytes * static_cast<std::size_t>(y));
+    }
+  });
+  return result;
+}
+
+/// Half floats end at 65504; what is larger but finite must not become infinite.
+void clamp_to_half(Samples& samples) {
+  auto* values = reinterpret_cast<float*>(samples.bytes.data());
+  const std::size_t count = samples.bytes.size() / sizeof(float);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isfinite(values[i])) values[i] = std::clamp(values[i], -kLargestHalf, kLargestHalf);
+  }
+}
+
+SampleType sample_type(Depth depth) {
+  if (depth == Depth::k8) return SampleType::kU8;
+  return depth == Depth::k16 ? SampleType::kU16 : SampleType::kFloat;
+}
+
+OIIO::TypeDesc stored_type(Depth depth) {
+  switch (depth) {
+    case Depth::k16:
+      return OIIO::TypeDesc::UINT16;
+    case Depth::kHalf:
+      return OIIO::TypeDesc::HALF;
+    case Depth::kFloat:
+      return OIIO::TypeDesc::FLOAT;
+    default:
+      return OIIO::TypeDesc::UINT8;
+  }
+}
+
+OIIO::TypeDesc given_type(SampleType type) {
+  if (type == SampleType::kU8) return OIIO::TypeDesc::UINT8;
+  return type == SampleType::kU16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
+}
+
+[[noreturn]] void encoder_failed(const fs::path& name, OIIO::ImageOutput* output) {
+  std::string complaint = output != nullptr ? output->geterror() : "";
+  const std::string of_thread = OIIO::geterror();
+  if (complaint.empty()) complaint = of_thread;
+  throw Error(ErrorCode::kFailed, name.string(), fmt::format("the image cannot be encoded ({})", complaint));
+}
+
+/// A file in memory that has a name. OpenImageIO 2.4 leaves tags out of a TIFF (its width and height) when it writes
+/// through a proxy, but not when it writes to a name.
+class MemoryFile {
+ public:
+  explicit MemoryFile(const fs::path& shown) : shown_(shown), descriptor_(::memfd_create("morphkit", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) fail();
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string name() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
+
+  Bytes bytes() const {
+    const off_t size = ::lseek(descriptor_, 0, SEEK_END);
+    if (size < 0) fail();
+    Bytes result(static_cast<std::size_t>(size));
+    for (std::size_t done = 0; done < result.size();) {
+      const ssize_t got = ::pread(descriptor_, result.data() + done, result.size() - done, static_cast<off_t>(done));
+      if (got <= 0) fail();
+      done += static_cast<std::size_t>(got);
+    }
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw Error(ErrorCode::kFailed, shown_.string(),
+                "no memory for the encoded image: " + std::generic_category().message(errno));
+  }
+
+  fs::path shown_;
+  int descriptor_;
+};
+
+Bytes encode_with_oiio(const fs::path& name, const std::string& plugin, const OIIO::ImageSpec& spec,
+                       OIIO::TypeDesc type, const void* samples) {
+  init_openimageio();
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
+  if (!output) encoder_failed(name, nullptr);
+  output->threads(1);
+  const auto write = [&](const std::string& target) {
+    if (!output->open(target, spec) || !output->write_image(type, samples) || !output->close()) {
+      encoder_failed(name, output.get());
+    }
+  };
+  if (plugin == "tiff") {
+    const MemoryFile memory(name);
+    write(memory.name());
+    return memory.bytes();
+  }
+  Bytes bytes;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);
+  output->set_ioproxy(&proxy);
+  write(name.filename().string());
+  return bytes;
+}
+
+OIIO::ImageSpec make_spec(const WritableFormat& format, cv::Size size, int channels, Depth depth,
+                          const WriteOptions& options) {
+  OIIO::ImageSpec spec(size.width, size.height, channels, stored_type(depth));
+  // An empty date keeps OpenImageIO from writing today's: the same picture gives the same bytes.
+  spec["DateTime"] = "";
+  if (options.metadata) options.metadata->apply(spec);
+  const bool is_float = sample_type(depth) == SampleType::kFloat;
+  spec["Orientation"] = 1;
+  spec["oiio:ColorSpace"] = is_float ? "Linear" : "sRGB";
+  // Float files hold premultiplied colour (associated alpha), the others straight.
+  if (!is_float) spec["oiio:UnassociatedAlpha"] = 1;
+  spec["compression"] = format.plugin == "targa" ? "rle" : "zip";
+  if (format.plugin == "png") spec["png:compressionLevel"] = kPngLevel;
+  if (format.plugin == "jpeg") {
+    spec["compression"] = fmt::format("jpeg:{}", options.quality);
+    spec["jpeg:subsampling"] = "4:4:4";
+  }
+  return spec;
+}
+
+void save(const fs::path& file, bool overwrite, const std::function<Bytes()>& encode) {
+  AtomicFile target(file, overwrite);  // first: what cannot be written need not be encoded
+  target.write(encode());
+  target.commit();
+}
+
+}  // namespace
+
+Bytes encode_image(const fs::path& name, const warp::Image& image, const WriteOptions& options) {
+  const WritableFormat& format = format_of(name);
+  const Depth depth = resolve_depth(name, format, options.depth);
+  check_writable(name, format, image.cols, image.rows);
+  if (options.quality < 1 || options.quality > 100) {
+    throw Error(ErrorCode::kUsage, name.string(), fmt::format("quality {} is not in 1..100", options.quality));
+  }
+  const bool with_alpha = format.alpha && (options.alpha.has_value() ? *options.alpha : !is_opaque(image));
+  Samples samples = encode_samples(image, sample_type(depth), with_alpha ? 4 : 3);
+  if (depth == Depth::kHalf) clamp_to_half(samples);
+  if (format.plugin == "webp") {
+    return encode_webp(name, samples.bytes, image.cols, image.rows, samples.channels, options.quality);
+  }
+  const OIIO::ImageSpec spec = make_spec(format, image.size(), samples.channels, depth, options);
+  return encode_with_oiio(name, format.plugin, spec, given_type(samples.type), samples.bytes.data());
+}
+
+void write_image(const fs::path& file, const warp::Image& image, const WriteOptions& options) {
+  const WritableFormat& format = format_of(file);
+  resolve_depth(file, format, options.depth);
+  save(file, options.overwrite, [&] { return encode_image(file, image, options); });
+}
+
+void write_map(const fs::path& file, const warp::Map& map, bool overwrite) {
+  const WritableFormat& format = format_of(file);
+  if (format.plugin != "openexr") {
+    throw Error(ErrorCode::kUsage, file.string(), "a map needs 32-bit float samples; name it .exr");
+  }
+  check_writable(file, format, map.cols, map.rows);
+  const warp::Map packed = map.isContinuous() ? map : warp::Map(map.clone());
+  OIIO::ImageSpec spec(map.cols, map.rows, 2, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"R", "G"};
+  spec["DateTime"] = "";
+  spec["compression"] = "zip";
+  save(file, overwrite,
+       [&] { return encode_with_oiio(file, format.plugin, spec, OIIO::TypeDesc::FLOAT, packed.data); });
+}
+
+}  // namespace morphkit::media

@@ -1,0 +1,88 @@
+#pragma once
+// Stored samples <-> linear, premultiplied float pixels. Knows transfer functions and alpha, no files.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "warp/image.h"
+
+namespace morphkit::media {
+
+enum class SampleType { kU8, kU16, kFloat };
+
+std::size_t sample_bytes(SampleType type) noexcept;
+
+/// How stored colour values become linear light.
+struct Transfer {
+  enum class Kind { kSrgb, kLinear, kGamma };
+  Kind kind = Kind::kSrgb;
+  float gamma = 1.0F;  ///< linear = stored ^ gamma, for kGamma
+};
+
+/// What the stored colour has been multiplied with.
+enum class AlphaKind {
+  kStraight,          ///< nothing
+  kPremultiplied,     ///< alpha, in linear light (EXR)
+  kStoredAssociated,  ///< alpha, after the transfer function (8- and 16-bit TIFF and TGA with associated alpha)
+};
+
+struct StoredLayout {
+  SampleType type = SampleType::kU8;
+  int channels = 4;         ///< samples from one pixel to the next
+  int r = 0, g = 1, b = 2;  ///< sample of each colour; -1: the colour is 0
+  int a = 3;                ///< -1: opaque
+  Transfer transfer;
+  AlphaKind alpha = AlphaKind::kStraight;
+};
+
+/// Reads rows of samples. Integer samples go through a table made once per decoder.
+class PixelDecoder {
+ public:
+  explicit PixelDecoder(const StoredLayout& layout);
+
+  /// @param row  `width * layout.channels` samples. A pixel with a sample that is not finite becomes transparent black.
+  /// @return     the number of such pixels.
+  std::int64_t decode(const void* row, int width, warp::Pixel* out) const noexcept;
+
+ private:
+  template <typename Sample>
+  std::int64_t decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept;
+  float linear(float stored) const noexcept;
+
+  StoredLayout layout_;
+  std::vector<float> table_;
+};
+
+/// Nearest sRGB code for linear light, exact: a value lies in code k if it is at or above the linear value of k - 1/2.
+class SrgbQuantizer {
+ public:
+  /// @param largest  the largest code, 255 or 65535.
+  explicit SrgbQuantizer(int largest);
+  /// NaN and what lies below 0 give 0; what lies above 1 gives the largest code.
+  std::uint16_t operator()(float linear) const noexcept;
+
+ private:
+  int largest_;
+  std::vector<float> threshold_;      ///< threshold_[k]: the smallest value of code k + 1
+  std::vector<std::uint16_t> first_;  ///< code at the beginning of each bucket of values
+};
+
+/// Writes rows of samples: RGB (over black) or RGBA with straight alpha for integers, sRGB and rounded to nearest;
+/// float stays linear and premultiplied.
+class PixelEncoder {
+ public:
+  PixelEncoder(SampleType type, int channels);
+  void encode(const warp::Pixel* pixels, int width, void* row) const noexcept;
+
+ private:
+  template <typename Sample>
+  void encode_codes(const warp::Pixel* pixels, int width, Sample* row) const noexcept;
+
+  SampleType type_;
+  int channels_;
+  const SrgbQuantizer* quantizer_;
+};
+
+}  // namespace morphkit::media

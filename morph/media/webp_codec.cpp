@@ -1,0 +1,80 @@
+#include "morph/media/webp_codec.h"
+
+#include <fmt/format.h>
+#include <webp/decode.h>
+#include <webp/encode.h>
+
+#include <memory>
+
+#include "morph/error.h"
+
+namespace morphkit::media {
+namespace {
+
+constexpr int kLossless = 100;
+constexpr int kLosslessEffort = 4;  // 0..9 of libwebp; above, twice the time for a few per cent
+constexpr int kChannels = 4;
+
+WebPBitstreamFeatures features_of(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  WebPBitstreamFeatures features;
+  const VP8StatusCode status = WebPGetFeatures(bytes.data(), bytes.size(), &features);
+  if (status != VP8_STATUS_OK) {
+    throw Error(ErrorCode::kBadInput, file.string(),
+                status == VP8_STATUS_NOT_ENOUGH_DATA ? "the WebP file is cut short" : "the WebP file is damaged");
+  }
+  if (features.has_animation != 0) {
+    throw Error(ErrorCode::kBadInput, file.string(), "is an animated WebP; only stills can be read");
+  }
+  return features;
+}
+
+}  // namespace
+
+WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  const WebPBitstreamFeatures features = features_of(file, bytes);
+  return {features.width, features.height, features.has_alpha != 0};
+}
+
+std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  const WebPBitstreamFeatures features = features_of(file, bytes);
+  const std::size_t stride = static_cast<std::size_t>(features.width) * kChannels;
+  std::vector<std::uint8_t> samples(stride * static_cast<std::size_t>(features.height));
+  if (WebPDecodeRGBAInto(bytes.data(), bytes.size(), samples.data(), samples.size(), static_cast<int>(stride)) ==
+      nullptr) {
+    throw Error(ErrorCode::kBadInput, file.string(), "the WebP file is damaged or cut short");
+  }
+  return samples;
+}
+
+std::vector<std::uint8_t> encode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> samples,
+                                      int width, int height, int channels, int quality) {
+  WebPConfig config;
+  bool ok = WebPConfigPreset(&config, WEBP_PRESET_PHOTO, static_cast<float>(quality)) != 0;
+  if (quality >= kLossless) {
+    ok = ok && WebPConfigLosslessPreset(&config, kLosslessEffort) != 0;
+    config.exact = 1;  // colour under alpha 0 stays what it is
+  } else {
+    config.use_sharp_yuv = 1;
+  }
+  WebPMemoryWriter writer;
+  WebPMemoryWriterInit(&writer);
+  WebPPicture picture;
+  ok = ok && WebPPictureInit(&picture) != 0;
+  const std::unique_ptr<WebPPicture, void (*)(WebPPicture*)> picture_owner(&picture, &WebPPictureFree);
+  const std::unique_ptr<WebPMemoryWriter, void (*)(WebPMemoryWriter*)> writer_owner(&writer, &WebPMemoryWriterClear);
+  picture.use_argb = 1;
+  picture.width = width;
+  picture.height = height;
+  picture.writer = WebPMemoryWrite;
+  picture.custom_ptr = &writer;
+  const int stride = width * channels;
+  ok = ok && (channels == kChannels ? WebPPictureImportRGBA(&picture, samples.data(), stride)
+                                    : WebPPictureImportRGB(&picture, samples.data(), stride)) != 0;
+  if (!ok || WebPEncode(&config, &picture) == 0) {
+    throw Error(ErrorCode::kFailed, file.string(),
+                fmt::format("the WebP encoder gave up (libwebp's error {})", static_cast<int>(picture.error_code)));
+  }
+  return {writer.mem, writer.mem + writer.size};
+}
+
+}  // namespace morphkit::media

@@ -1,0 +1,130 @@
+// Colour and alpha of stored samples, exhaustively where that is possible.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "morph/media/pixel_codec.h"
+#include "tests/unit/media/image_support.h"
+#include "warp/color.h"
+
+namespace morphkit::media::test {
+namespace {
+
+/// The definition of the quantizer: sRGB in double precision, rounded to nearest.
+double srgb_exactly(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+template <typename Sample>
+std::vector<Sample> round_trip(const std::vector<Sample>& samples, SampleType type) {
+  StoredLayout layout;
+  layout.type = type;
+  const int width = static_cast<int>(samples.size() / 4);
+  std::vector<warp::Pixel> pixels(static_cast<std::size_t>(width));
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), width, pixels.data()), 0);
+  std::vector<Sample> result(samples.size());
+  PixelEncoder(type, 4).encode(pixels.data(), width, result.data());
+  return result;
+}
+
+TEST(PixelCodec, EveryStraight8BitPixelComesBack) {
+  std::vector<std::uint8_t> samples;
+  for (int alpha = 1; alpha < 256; ++alpha) {
+    for (int color = 0; color < 256; ++color) {
+      for (const int sample : {color, 255 - color, color ^ 0x5a, alpha})
+        samples.push_back(static_cast<std::uint8_t>(sample));
+    }
+  }
+  EXPECT_EQ(round_trip(samples, SampleType::kU8), samples);
+}
+
+TEST(PixelCodec, Every16BitColorComesBackUnderAnyAlpha) {
+  for (const int alpha : {1, 2, 3, 255, 256, 1000, 32767, 32768, 43210, 65533, 65534, 65535}) {
+    SCOPED_TRACE(alpha);
+    std::vector<std::uint16_t> samples;
+    for (int color = 0; color < 65536; ++color) {
+      for (const int sample : {color, 65535 - color, color ^ 0x5a5a, alpha}) {
+        samples.push_back(static_cast<std::uint16_t>(sample));
+      }
+    }
+    EXPECT_EQ(round_trip(samples, SampleType::kU16), samples);
+  }
+}
+
+TEST(PixelCodec, Every16BitAlphaComesBack) {
+  std::vector<std::uint16_t> samples;
+  for (int alpha = 1; alpha < 65536; ++alpha) {
+    for (const int sample : {alpha, 40000, 7, alpha}) samples.push_back(static_cast<std::uint16_t>(sample));
+  }
+  EXPECT_EQ(round_trip(samples, SampleType::kU16), samples);
+}
+
+TEST(PixelCodec, QuantizerRoundsToTheNearestCode) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> exponent(-26.0F, 0.0F);
+  for (const int largest : {255, 65535}) {
+    const SrgbQuantizer quantize(largest);
+    for (int i = 0; i < 200000; ++i) {
+      const float linear = std::exp2(exponent(random));
+      const double exact = srgb_exactly(linear) * largest;
+      // Half a code, and what the float value of a code's boundary may be off: an ulp in 65535 codes.
+      ASSERT_LE(std::abs(exact - quantize(linear)), 0.5 + 0.01) << linear << " of " << largest;
+    }
+  }
+}
+
+TEST(PixelCodec, QuantizerTakesAnyFloat) {
+  const SrgbQuantizer quantize(255);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(quantize(std::numeric_limits<float>::quiet_NaN()), 0);
+  EXPECT_EQ(quantize(-kInfinity), 0);
+  EXPECT_EQ(quantize(-1.0F), 0);
+  EXPECT_EQ(quantize(-0.0F), 0);
+  EXPECT_EQ(quantize(std::numeric_limits<float>::denorm_min()), 0);
+  EXPECT_EQ(quantize(std::nextafter(1.0F, 0.0F)), 255);
+  EXPECT_EQ(quantize(1.0F), 255);
+  EXPECT_EQ(quantize(1e30F), 255);
+  EXPECT_EQ(quantize(kInfinity), 255);
+}
+
+TEST(PixelCodec, PremultipliesInLinearLight) {
+  StoredLayout layout;
+  const std::vector<std::uint8_t> half_red = {200, 0, 0, 128};
+  warp::Pixel pixel;
+  PixelDecoder(layout).decode(half_red.data(), 1, &pixel);
+  const float alpha = 128.0F / 255.0F;
+  EXPECT_EQ(pixel[0], warp::linear_from_srgb(200.0F / 255.0F) * alpha);
+  EXPECT_EQ(pixel[3], alpha);
+}
+
+TEST(PixelCodec, AssociatedStoredColorIsDividedBeforeTheTransfer) {
+  StoredLayout layout;
+  layout.alpha = AlphaKind::kStoredAssociated;
+  const std::vector<std::uint8_t> samples = {100, 51, 0, 102, 9, 9, 9, 0};
+  std::vector<warp::Pixel> pixels(2);
+  PixelDecoder(layout).decode(samples.data(), 2, pixels.data());
+  EXPECT_NEAR(pixels[0][0], warp::linear_from_srgb(100.0F / 102.0F) * 0.4F, 1e-6);
+  EXPECT_NEAR(pixels[0][1], warp::linear_from_srgb(0.5F) * 0.4F, 1e-6);
+  EXPECT_EQ(pixels[1], warp::Pixel(0, 0, 0, 0));
+}
+
+TEST(PixelCodec, WhatIsNotFiniteBecomesNothingAndIsCounted) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  StoredLayout layout;
+  layout.type = SampleType::kFloat;
+  layout.alpha = AlphaKind::kPremultiplied;
+  layout.transfer.kind = Transfer::Kind::kLinear;
+  const std::vector<float> samples = {kNan, 0, 0, 1, 0, -kInfinity, 0, 1, 5, -2, 0.5F, 1, 0, 0, 0, kNan};
+  std::vector<warp::Pixel> pixels(4);
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), 3);
+  for (const int i : {0, 1, 3}) EXPECT_EQ(pixels[static_cast<std::size_t>(i)], warp::Pixel(0, 0, 0, 0));
+  EXPECT_EQ(pixels[2], warp::Pixel(5, -2, 0.5F, 1));
+}
+
+}  // namespace
+}  // namespace morphkit::media::test

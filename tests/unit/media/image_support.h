@@ -1,0 +1,101 @@
+#pragma once
+// What the image tests share: a folder of their own, random pictures, bytes of files.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "morph/error.h"
+#include "morph/media/image_file.h"
+
+namespace morphkit::media::test {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+class Folder {
+ public:
+  Folder() {
+    static int counter = 0;
+    path_ = fs::path(testing::TempDir()) /
+            ("morphkit_image_" + std::to_string(::getpid()) + "_" + std::to_string(counter++));
+    fs::create_directories(path_);
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  const fs::path& path() const { return path_; }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+ private:
+  fs::path path_;
+};
+
+inline Bytes bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return Bytes(std::istreambuf_iterator<char>(stream), {});
+}
+
+inline void put(const fs::path& file, const Bytes& bytes) {
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// Linear, premultiplied noise in [0, 1].
+inline warp::Image random_image(int width, int height, bool with_alpha, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+  warp::Image image(height, width);
+  for (warp::Pixel& pixel : image) {
+    const float alpha = with_alpha ? unit(random) : 1.0F;
+    pixel = warp::Pixel(unit(random) * alpha, unit(random) * alpha, unit(random) * alpha, alpha);
+  }
+  return image;
+}
+
+/// Largest difference of a sample; NaN counts as infinite.
+inline double distance(const warp::Image& a, const warp::Image& b) {
+  if (a.size() != b.size()) return INFINITY;
+  double largest = 0;
+  for (int y = 0; y < a.rows; ++y) {
+    for (int x = 0; x < a.cols; ++x) {
+      for (int c = 0; c < 4; ++c) {
+        const double difference = std::abs(double{a(y, x)[c]} - double{b(y, x)[c]});
+        if (!(difference <= largest)) largest = std::isnan(difference) ? INFINITY : difference;
+      }
+    }
+  }
+  return largest;
+}
+
+/// Runs `action` and gives the Error that it throws; anything else fails the test.
+template <typename Action>
+Error error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no Error was thrown";
+  return Error(ErrorCode::kFailed, "", "");
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace morphkit::media::test
