@@ -1,0 +1,311 @@
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "morph/error.h"
+#include "morph/project/project.h"
+#include "tests/unit/project/documents.h"
+#include "tests/unit/project/temporary_directory.h"
+
+namespace morphkit::project {
+namespace {
+
+using testing::Bad;
+using testing::with;
+using testing::with_feature;
+using testing::with_line;
+using testing::with_output;
+using testing::with_shape;
+
+void expect_bad(const Bad& bad) {
+  SCOPED_TRACE(bad.text.substr(0, 300));
+  try {
+    parse(bad.text, "dir/pair.json");
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.place(), bad.pointer.empty() ? "dir/pair.json" : "dir/pair.json: " + bad.pointer);
+    EXPECT_NE(error.message().find(bad.says), std::string::npos) << error.message();
+  }
+}
+
+/// Syntax errors have a line and a column instead of a pointer.
+void expect_syntax_error(const std::string& text, const std::string& place, const std::string& says) {
+  SCOPED_TRACE(text.substr(0, 300));
+  try {
+    parse(text, "pair.json");
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.place(), place);
+    EXPECT_NE(error.message().find(says), std::string::npos) << error.message();
+    EXPECT_LT(error.message().size(), 300U);
+  }
+}
+
+TEST(Load, EverythingThatAProjectCanSay) {
+  const Project project = parse(testing::kFull, "dir/pair.json");
+  EXPECT_EQ(project.file, "dir/pair.json");
+  EXPECT_EQ(project.source, (Side{"cat.png", "srgb"}));
+  EXPECT_EQ(project.destination, (Side{"tiger.png", ""}));
+
+  ASSERT_EQ(project.groups.size(), 1U);
+  Influence face;
+  face.b = 1.5;
+  face.shape = motion::Timing{motion::CubicBezierEase{0.42, 0, 0.58, 1}, 0, 1};
+  EXPECT_EQ(project.groups[0], (Group{"face", face}));
+
+  ASSERT_EQ(project.features.size(), 3U);
+  const Feature eye{"left eye", "face", FeatureKind::kLine, {{310, 220}, {365, 218}}, {{402, 198}, {470, 201}}, {},
+                    {},         {}};
+  EXPECT_EQ(project.features[0].source, eye.source);
+  EXPECT_EQ(project.features[0].destination, eye.destination);
+  EXPECT_EQ(project.features[0].group, "face");
+  EXPECT_EQ(project.features[1].kind, FeatureKind::kPoint);
+  EXPECT_EQ(project.features[1].influence.a, 10);
+  EXPECT_EQ(project.features[2].kind, FeatureKind::kCurve);
+  EXPECT_EQ(project.features[2].destination.size(), 4U);
+  EXPECT_EQ(project.features[2].influence.dissolve, (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
+
+  EXPECT_EQ(project.influence.between, Between::kCentre);
+  EXPECT_EQ(project.influence.turns, -1);
+  const motion::KeysEase keys{{{0, 0, std::nullopt}, {0.4, 0.9, 0.1}, {1, 1, std::nullopt}}};
+  EXPECT_EQ(project.influence.shape, (motion::Timing{keys, 0, 1}));
+  EXPECT_EQ(project.output.size, cv::Size(1280, 720));
+  EXPECT_EQ(project.output.background, (Background{Color{1, 1, 1, 1}}));
+}
+
+TEST(Load, TheSmallestProjectHasTheDefaults) {
+  const Project project = parse(with(""), "");
+  Project expected;
+  expected.source.image = "a.png";
+  expected.destination.image = "b.png";
+  EXPECT_TRUE(same_document(project, expected));
+  EXPECT_EQ(project.warp.filter, warp::Filter::kBicubic);
+  EXPECT_FALSE(project.warp.border);
+  EXPECT_EQ(project.output.frames, 48);
+  EXPECT_EQ(project.output.fit, Fit::kCover);
+}
+
+TEST(Load, AllGoodDocuments) {
+  for (const std::string& text : testing::good_documents()) {
+    SCOPED_TRACE(text);
+    EXPECT_NO_THROW(parse(text, "pair.json"));
+  }
+}
+
+TEST(Load, FrameRates) {
+  const auto rate = [](const std::string& fps) {
+    const Output output = parse(with_output("\"fps\": " + fps), "").output;
+    return std::pair(output.fps_num, output.fps_den);
+  };
+  EXPECT_EQ(rate("25"), std::pair(25, 1));
+  EXPECT_EQ(rate("25.0"), std::pair(25, 1));
+  EXPECT_EQ(rate("\"25\""), std::pair(25, 1));
+  EXPECT_EQ(rate("\"25/2\""), std::pair(25, 2));
+  EXPECT_EQ(rate("\"30000/1001\""), std::pair(30000, 1001));
+  EXPECT_EQ(rate("23.976"), std::pair(24000, 1001));
+  EXPECT_EQ(rate("29.97"), std::pair(30000, 1001));
+  EXPECT_EQ(rate("59.94"), std::pair(60000, 1001));
+}
+
+TEST(Load, Backgrounds) {
+  const auto background = [](const std::string& text) {
+    return parse(with_output("\"background\": " + text), "").output.background;
+  };
+  EXPECT_EQ(background("\"transparent\""), Background(Color{0, 0, 0, 0}));
+  EXPECT_EQ(background("\"black\""), Background(Color{0, 0, 0, 1}));
+  EXPECT_EQ(background("\"#ff000080\""), Background(Color{1, 0, 0, 128 / 255.0}));
+  EXPECT_EQ(background("\"#00Ff33\""), Background(Color{0, 1, 0.2, 1}));
+  EXPECT_EQ(background("[0.1, 0.2, 0.3, 0.4]"), Background(Color{0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(background("{\"image\": \"sky.png\"}"), Background(std::filesystem::path("sky.png")));
+}
+
+TEST(Load, AnEasingThatStartsLateFillsTheRest) {
+  const auto shape = parse(with_shape(R"({"ease": "sine", "delay": 0.1})"), "").influence.shape;
+  EXPECT_EQ(shape, (motion::Timing{motion::SineEase{}, 0.1, 0.9}));
+  EXPECT_EQ(motion::progress(*shape, 1), 1);
+}
+
+TEST(Load, WrongStructureNamesThePlace) {
+  for (const Bad& bad : testing::structurally_bad_documents()) expect_bad(bad);
+}
+
+TEST(Load, WrongMeaningNamesThePlace) {
+  const std::string line = R"({"id": "x", "line": {"source": [[0, 0], [1, 0]], "destination": [[0, 0], [2, 0]]}})";
+  const std::string square = "[[0, 0], [9, 0], [9, 9], [0, 0]]", open = "[[0, 0], [9, 0], [9, 9], [0, 1]]";
+  const auto curve = [](const std::string& a, const std::string& b, const std::string& more) {
+    return with_feature(R"({"id": "x", "curve": {"source": )" + a + R"(, "destination": )" + b + more + "}}");
+  };
+  const Bad table[] = {
+      {with_feature(line + "," + line), "/features/1/id", "\"x\" occurs twice"},
+      {with(R"("groups": [{"id": "g"}, {"id": "g"}])"), "/groups/1/id", "\"g\" occurs twice"},
+      {with(
+           R"("groups": [{"id": "face"}], "features": [{"id": "x", "group": "faec", "point": {"source": [0, 0], "destination": [0, 0]}}])"),
+       "/features/0/group", "did you mean \"face\"?"},
+      {with_line(R"("group": "face")"), "/features/0/group", "add it to \"groups\""},
+      {with_feature(R"({"id": "x", "line": {"source": [[1, 1], [1, 1]], "destination": [[0, 0], [1, 1]]}})"),
+       "/features/0/line/source", "on this side only"},
+      {with_feature(R"({"id": "x", "line": {"source": [[0, 0], [1, 1]], "destination": [[1, 1], [1, 1]]}})"),
+       "/features/0/line/destination", "on this side only"},
+      {curve(square, open, ""), "/features/0/curve/source", "ends where it starts on this side only"},
+      {curve(open, square, ""), "/features/0/curve/destination", "ends where it starts on this side only"},
+      {curve(open, "[[0, 0], [1, 1], [2, 2]]", R"(, "spline": "bezier")"), "/features/0/curve/destination", "3n + 1"},
+      {curve(open, "[[5, 5], [5, 5]]", ""), "/features/0/curve/destination", "coincide"},
+      {with_shape(R"({"delay": 0.5, "duration": 0.6})"), "/transition/shape", "at most 1"},
+      {with_shape(R"({"ease": "parabolic", "t1": 0.8, "t2": 0.2})"), "/transition/shape", "t1 <= t2"},
+      {with_shape(R"({"ease": "keys", "keys": [[0, 0], [0.5, 1], [0.5, 1], [1, 1]]})"), "/transition/shape", ""},
+      {with_output(R"("size": [65536, 65536])"), "/output/size", "more than 1073741824 pixels"},
+      {with_output(R"("fps": "1000000/3")"), "/output/fps", "at most 1000 frames per second"},
+      {with_output(R"("fps": "24/0")"), "/output/fps", "a frame rate such as"},
+      {with_line(R"("warp": {"a": 1, "b": 2, "a": 3})"), "/features/0/warp/a", "\"a\" occurs twice"},
+      {R"({"morphkit": 1, "morphkit": 1})", "/morphkit", "occurs twice"},
+      {with_feature(R"({"id": "x", "point": {"source": [0, 1e999], "destination": [0, 0]}})"),
+       "/features/0/point/source/1", "\"1e999\" is too large"},
+      {with_feature(R"({"id": "a\u0000b"})"), "/features/0/id", "a control character"},
+      {with(R"("a/b~c": 1)"), "/a~1b~0c", "unknown key"},
+  };
+  for (const Bad& bad : table) expect_bad(bad);
+}
+
+TEST(Load, SyntaxErrorsNameLineAndColumn) {
+  expect_syntax_error("{\n  \"morphkit\": 1,\n}", "pair.json:3:1", "comma before the closing bracket");
+  expect_syntax_error("{\"morphkit\": 1", "pair.json:1:15", "cut off");
+  expect_syntax_error("{\"morphkit\": NaN}", "pair.json:1:14", "no NaN");
+  expect_syntax_error("{\n  // note\n}", "pair.json:2:3", "no comments");
+  expect_syntax_error("{\"\xC3\xA4\xC3\xB6\": 1 2}", "pair.json:1:10", "comma missing");
+  expect_syntax_error("{'morphkit': 1}", "pair.json:1:2", "double quotes");
+  expect_syntax_error("{\"morphkit\": 1} {}", "pair.json:1:17", "ended already");
+  expect_syntax_error("{\"id\": \"\xFF\"}", "pair.json:1:9", "not UTF-8");
+  expect_syntax_error("{\"a\": \"\\ud800\"}", "pair.json:1:14", "not valid JSON");
+  expect_syntax_error(std::string("{\"a\"\0: 1}", 9), "pair.json:1:5", "zero byte");
+  expect_syntax_error("hello", "pair.json:1:1", "not valid JSON");
+  expect_syntax_error("{\"a\": \"" + std::string(100000, 'x'), "pair.json:1:100008", "cut off");
+}
+
+TEST(Load, EmptyAndOtherwiseEncodedFiles) {
+  expect_bad({"", "", "the file is empty"});
+  expect_bad({" \n\t", "", "the file is empty"});
+  expect_bad({"\xFF\xFE{\0", "", "UTF-16"});
+  EXPECT_TRUE(same_document(parse("\xEF\xBB\xBF" + with(""), ""), parse(with(""), "")));
+}
+
+TEST(Load, HostileSizesEndEarly) {
+  const std::string deep(10'000'000, '[');
+  std::string innermost;
+  for (int i = 0; i < 31; ++i) innermost += "/0";
+  expect_bad({deep, innermost, "nested more than 32 deep"});
+  std::string objects;
+  for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
+  EXPECT_THROW(parse(objects, "deep.json"), Error);
+  std::string many = "[0";
+  for (int i = 0; i < 4'000'000; ++i) many += ",0";
+  expect_bad({many + "]", "", "more than 4000000 values"});
+  std::string repeated = "{";
+  for (int i = 0; i < 200'000; ++i) repeated.append("\"").append(std::to_string(i)).append("\":0,");
+  expect_bad({repeated + "\"7\":1}", "/7", "occurs twice"});
+  expect_bad({with("\"" + std::string(1'000'000, 'k') + "\": 1"), "/" + std::string(100, 'k'), "..."});
+}
+
+class LoadFile : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    const auto path = directory_.path() / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+  static ErrorCode code_of(const std::filesystem::path& file) {
+    try {
+      load(file);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().find(file.string()), 0U) << error.what();
+      return error.code();
+    }
+    return ErrorCode::kUsage;
+  }
+  testing::TemporaryDirectory directory_;
+};
+
+TEST_F(LoadFile, RemembersWhereItCameFrom) {
+  const auto file = write("pair.json", testing::kFull);
+  const Project project = load(file);
+  EXPECT_EQ(project.file, file);
+  EXPECT_EQ(*project.original, testing::kFull);
+  EXPECT_EQ(resolve(project, project.source.image), directory_.path() / "cat.png");
+  EXPECT_EQ(resolve(project, "/abs.png"), "/abs.png");
+}
+
+TEST_F(LoadFile, MissingDirectoryAndUnreadable) {
+  EXPECT_EQ(code_of(directory_.path() / "missing.json"), ErrorCode::kIo);
+  EXPECT_EQ(code_of(directory_.path()), ErrorCode::kIo);
+  EXPECT_EQ(code_of(write("empty.json", "")), ErrorCode::kBadInput);
+  const auto secret = write("secret.json", testing::kFull);
+  std::filesystem::permissions(secret, std::filesystem::perms::none);
+  if (::geteuid() != 0) {  // root reads everything
+    EXPECT_EQ(code_of(secret), ErrorCode::kIo);
+  }
+}
+
+TEST_F(LoadFile, FeaturesAreLaidOverAProject) {
+  Project project;
+  project.source.image = "mine.png";
+  project.destination.image = "yours.png";
+  project.output.frames = 7;
+  project.influence.a = 5;
+  load_features(project, write("features.json", R"({"morphkit": 1, "groups": [{"id": "g"}],
+    "features": [{"id": "p", "group": "g", "point": {"source": [1, 2], "destination": [3, 4]}}]})"));
+  EXPECT_EQ(project.source.image, "mine.png");
+  EXPECT_EQ(project.output.frames, 7);
+  EXPECT_EQ(project.influence.a, 5);
+  ASSERT_EQ(project.features.size(), 1U);
+  EXPECT_EQ(project.features[0].group, "g");
+
+  load_features(project, write("whole.json", testing::kFull));
+  EXPECT_EQ(project.source.image, "mine.png");
+  EXPECT_EQ(project.output.frames, 7);
+  EXPECT_EQ(project.influence.a, 1);
+  EXPECT_EQ(project.features.size(), 3U);
+}
+
+TEST_F(LoadFile, BadFeaturesLeaveTheProjectAlone) {
+  Project project = parse(testing::kFull, "");
+  const Project before = project;
+  for (const std::string& text : {std::string(R"({"morphkit": 1})"), std::string(R"({"morphkit": 1, "features": 3})"),
+                                  with_line(R"("group": "nowhere")"), with_shape(R"("fast")")}) {
+    EXPECT_THROW(load_features(project, write("bad.json", text)), Error) << text;
+    EXPECT_TRUE(same_document(project, before));
+  }
+  EXPECT_THROW(load_features(project, directory_.path() / "missing.json"), Error);
+}
+
+TEST(Effective, TheNearestSettingWins) {
+  Project project = parse(testing::kFull, "");
+  const Influence nose = effective(project, project.features[1]);
+  EXPECT_EQ(nose.a, 10);  // its own
+  EXPECT_EQ(nose.b, 2);   // the project's
+  const Influence eye = effective(project, project.features[0]);
+  EXPECT_EQ(eye.a, 1);
+  EXPECT_EQ(eye.b, 1.5);  // its group's
+  EXPECT_EQ(eye.shape, project.groups[0].influence.shape);
+  EXPECT_EQ(nose.shape, project.influence.shape);
+}
+
+TEST(Effective, NothingStaysOpen) {
+  const Influence influence = effective(Project{});
+  EXPECT_EQ(influence.a, 1);
+  EXPECT_EQ(influence.b, 2);
+  EXPECT_EQ(influence.p, 0);
+  EXPECT_EQ(influence.scale, warp::LineScale::kAlong);
+  EXPECT_EQ(influence.between, Between::kEndpoints);
+  EXPECT_EQ(influence.turns, 0);
+  EXPECT_EQ(influence.shape, motion::Timing{});
+  EXPECT_EQ(influence.dissolve, motion::Timing{});
+  EXPECT_EQ(effective(Project{}, Feature{}), influence);
+}
+
+}  // namespace
+}  // namespace morphkit::project

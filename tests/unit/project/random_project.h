@@ -1,0 +1,208 @@
+#pragma once
+// Random valid projects for property tests.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "morph/project/project.h"
+
+namespace morphkit::project::testing {
+
+class RandomProject {
+ public:
+  explicit RandomProject(unsigned seed) : random_(seed) {}
+
+  Project make() {
+    Project project;
+    project.source = side();
+    project.destination = side();
+    for (int i = integer(0, 3); i > 0; --i) project.groups.push_back({"group " + std::to_string(i), influence()});
+    for (int i = integer(0, 6); i > 0; --i) project.features.push_back(feature(project, "f" + std::to_string(i)));
+    project.warp.filter = pick<warp::Filter>({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic});
+    if (coin()) project.warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
+    project.influence = influence();
+    project.blend = pick({Blend::kLinear, Blend::kDisplay});
+    project.output = output();
+    return project;
+  }
+
+  /// Changes one thing or a few.
+  void change(Project& project) {
+    switch (integer(0, 9)) {
+      case 0:
+        project.features.push_back(feature(project, "new " + std::to_string(random_())));
+        break;
+      case 1:
+        if (!project.features.empty()) project.features.erase(project.features.begin() + index(project.features));
+        break;
+      case 2:
+        if (!project.features.empty()) {
+          Feature& changed = project.features[index(project.features)];
+          changed = feature(project, changed.id);
+        }
+        break;
+      case 3:
+        if (!project.features.empty())
+          project.features[index(project.features)].id = "renamed " + std::to_string(random_());
+        break;
+      case 4:
+        std::shuffle(project.features.begin(), project.features.end(), random_);
+        break;
+      case 5:
+        project.influence = influence();
+        break;
+      case 6:
+        project.output = output();
+        break;
+      case 7:
+        project.warp = {};
+        break;
+      case 8:
+        project.source = side();
+        break;
+      default:
+        project.groups.push_back({"group " + std::to_string(random_()), influence()});
+        break;
+    }
+  }
+
+  bool coin() { return integer(0, 1) == 1; }
+  int integer(int least, int most) { return std::uniform_int_distribution(least, most)(random_); }
+  double real(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
+
+ private:
+  template <typename T>
+  T pick(std::initializer_list<T> values) {
+    return values.begin()[integer(0, static_cast<int>(values.size()) - 1)];
+  }
+  template <typename T>
+  int index(const std::vector<T>& values) {
+    return integer(0, static_cast<int>(values.size()) - 1);
+  }
+
+  /// Whole numbers, halves and anything: all are written in the shortest way that reads back equal.
+  double coordinate() {
+    const double value = real(-1000, 5000);
+    return pick({std::round(value), std::round(value * 2) / 2, value, value * 1e-9, 0.0});
+  }
+  cv::Point2d point() { return {coordinate(), coordinate()}; }
+
+  Side side() {
+    return {pick<std::string>({"a.png", "../b c.exr", "/abs/\"quoted\".png", "b\xC3\xA4r.tif", "back\\slash"}),
+            pick<std::string>({"", "srgb", "linear"})};
+  }
+
+  motion::Easing easing() {
+    switch (integer(0, 8)) {
+      case 0:
+        return motion::LinearEase{};
+      case 1:
+        return motion::SineEase{};
+      case 2:
+        return motion::SinusoidalEase{real(0, 0.5), pick({0.7, real(0.5, 1)})};
+      case 3:
+        return motion::ParabolicEase{pick({0.3, real(0, 0.5)}), real(0.5, 1)};
+      case 4:
+        return motion::CubicBezierEase{real(0, 1), real(-2, 2), real(0, 1), real(-2, 2)};
+      case 5:
+        return motion::CubicBezierEase{0.42, 0, pick({1.0, 0.58}), 1};
+      case 6:
+        return motion::CubicBezierEase{};
+      case 7:
+        return motion::StepEase{pick({0.5, real(0, 1)})};
+      default:
+        break;
+    }
+    motion::KeysEase keys{
+        {{0, real(0, 0.1), std::nullopt}, {real(0.1, 0.9), real(0.2, 0.8), std::nullopt}, {1, 1, 0.5}}};
+    if (coin()) keys.keys[1].speed = real(0, 2);
+    return keys;
+  }
+
+  motion::Timing timing() {
+    motion::Timing timing{easing(), 0, 1};
+    if (coin()) timing.delay = real(0, 1);
+    timing.duration = coin() ? 1 - timing.delay : real(0, 1 - timing.delay);
+    return timing;
+  }
+
+  Influence influence() {
+    Influence influence;
+    if (coin()) influence.a = real(0, 10);
+    if (coin()) influence.b = integer(0, 8);
+    if (coin()) influence.p = real(0, 1);
+    if (coin()) influence.scale = pick({warp::LineScale::kAlong, warp::LineScale::kUniform});
+    if (coin()) influence.between = pick({Between::kEndpoints, Between::kCentre});
+    if (coin()) influence.turns = integer(-3, 3);
+    if (coin()) influence.shape = timing();
+    if (coin()) influence.dissolve = timing();
+    return influence;
+  }
+
+  /// A walk whose ends differ, so that neither side of a curve closes by itself.
+  std::vector<cv::Point2d> walk(int count) {
+    std::vector<cv::Point2d> points;
+    for (int i = 0; i < count; ++i) points.push_back({100.0 * i + real(0, 50), coordinate()});
+    return points;
+  }
+
+  Feature feature(const Project& project, const std::string& id) {
+    Feature feature;
+    feature.id = id;
+    if (!project.groups.empty() && coin()) feature.group = project.groups[index(project.groups)].id;
+    feature.kind = pick({FeatureKind::kLine, FeatureKind::kPoint, FeatureKind::kCurve});
+    if (feature.kind == FeatureKind::kLine) {
+      feature.source = walk(2);
+      feature.destination = walk(2);
+    } else if (feature.kind == FeatureKind::kPoint) {
+      feature.source = {point()};
+      feature.destination = {point()};
+    } else {
+      feature.closed = coin();
+      feature.curve = pick({motion::CurveKind::kPolyline, motion::CurveKind::kCatmullRom, motion::CurveKind::kBezier});
+      const auto count = [&] {
+        const int pieces = integer(1, 20);
+        return feature.curve == motion::CurveKind::kBezier ? 3 * pieces + (feature.closed ? 0 : 1) : pieces + 2;
+      };
+      feature.source = walk(count());
+      feature.destination = walk(count());
+    }
+    if (coin()) feature.influence = influence();
+    return feature;
+  }
+
+  Output output() {
+    Output output;
+    if (coin()) output.size = cv::Size(integer(1, 5000), integer(1, 5000));
+    output.fit = pick({Fit::kContain, Fit::kCover, Fit::kStretch, Fit::kNone});
+    output.frames = pick({48, integer(1, 10'000'000)});
+    output.start = pick({1, integer(0, 100'000)});
+    if (coin())
+      std::tie(output.fps_num, output.fps_den) = pick<std::pair<int, int>>({{25, 1}, {30000, 1001}, {48, 2}, {1, 7}});
+    switch (integer(0, 3)) {
+      case 0:
+        output.background = Color{integer(0, 255) / 255.0, integer(0, 255) / 255.0, 0, pick({0.0, 1.0, 128 / 255.0})};
+        break;
+      case 1:
+        output.background = Color{real(0, 1), real(0, 1), real(0, 1), pick({1.0, real(0, 1)})};
+        break;
+      case 2:
+        output.background = std::filesystem::path("sky.png");
+        break;
+      default:
+        break;
+    }
+    return output;
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace morphkit::project::testing
