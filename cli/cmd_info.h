@@ -1,0 +1,28 @@
+#pragma once
+// morphkit info FILE...: what is in pictures and project files.
+
+#include <filesystem>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct InfoOptions {
+  std::vector<std::filesystem::path> files;  ///< pictures and projects (*.json)
+  bool pixels = false;                       ///< decode pictures for minimum, maximum, mean of each channel
+  bool json = false;
+};
+
+void add_info(CLI::App& app, Session& session);
+
+/// Tells about every file; one that cannot be read is reported and the others still told about.
+/// @return 0, or the code of the first error.
+int run_info(const InfoOptions& options, Output& output);
+
+}  // namespace morphkit::cli

@@ -1,0 +1,37 @@
+#pragma once
+// The commands and options of the program as plain data: what completion scripts are made from and the documentation
+// is checked against.
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+struct OptionShape {
+  std::vector<std::string> names;  ///< "-o", "--output"
+  std::string description;         ///< its first line
+  bool takes_value = false;
+  std::vector<std::string> choices;  ///< the only values it takes, if it is such an option
+};
+
+struct CommandShape {
+  std::string name;
+  std::string description;
+  std::vector<OptionShape> options;
+  std::vector<std::string> positional_choices;  ///< what its arguments can be; empty: files
+  std::vector<CommandShape> commands;
+};
+
+CommandShape shape_of(const CLI::App& app);
+
+/// Names of the commands directly below `shape`.
+std::vector<std::string> command_names(const CommandShape& shape);
+
+/// All spellings of all options of `shape`.
+std::vector<std::string> option_names(const CommandShape& shape);
+
+}  // namespace morphkit::cli
