@@ -41,6 +41,30 @@ float float_not_above(int value) {
   return std::nextafter(rounded, -std::numeric_limits<float>::infinity());
 }
 
+/// The positions whose taps all exist, so that nothing need be asked about the border.
+class Interior {
+ public:
+  /// @param before, after  taps on either side of the position's floor.
+  Interior(const Source& source, int before, int after)
+      : begin_(static_cast<float>(before)),
+        end_x_(float_not_above(source.width() - after)),
+        end_y_(float_not_above(source.height() - after)) {}
+
+  /// False for NaN. Where true, both fit an int and truncation is floor.
+  bool contains(float x, float y) const { return x >= begin_ && x < end_x_ && y >= begin_ && y < end_y_; }
+
+ private:
+  float begin_, end_x_, end_y_;
+};
+
+/// How many pixels ahead of its use a source pixel is fetched. A row of a warp wanders over many source rows, which the
+/// hardware does not foresee: without this a 1080p warp takes twice as long (bench_sample).
+constexpr std::size_t kFetchAhead = 32;
+
+const MapPoint& ahead_of(std::span<const MapPoint> positions, std::size_t i) {
+  return positions[std::min(i + kFetchAhead, positions.size() - 1)];
+}
+
 // A kernel is separable and weighs kTaps samples, the first of which lies kBefore pixels before the position's floor.
 // Both are written as "one tap plus weighted differences from it": a constant comes out unchanged, to the bit, so an
 // opaque image stays opaque.
@@ -167,16 +191,16 @@ template <typename Kernel, Border kBorder>
 template <typename Kernel, Border kBorder>
 void filter_row(const Source& source, std::span<const MapPoint> positions, std::span<Pixel> out) {
   constexpr int kAfter = Kernel::kTaps - 1 - Kernel::kBefore;
-  // Inside, all taps exist: kBefore <= floor(u) and floor(u) + kAfter <= size - 1.
-  const float begin = static_cast<float>(Kernel::kBefore);
-  const float end_x = float_not_above(source.width() - kAfter);
-  const float end_y = float_not_above(source.height() - kAfter);
+  const Interior interior(source, Kernel::kBefore, kAfter);
   for (std::size_t i = 0; i < positions.size(); ++i) {
+    // Downwards through the output, the lowest tap row is usually the one not yet in the cache.
+    const MapPoint ahead = ahead_of(positions, i) - MapPoint(0.5F, 0.5F);
+    if (interior.contains(ahead[0], ahead[1])) {
+      __builtin_prefetch(source.row(static_cast<int>(ahead[1]) + kAfter) + static_cast<int>(ahead[0]));
+    }
     const float u = positions[i][0] - 0.5F;
     const float v = positions[i][1] - 0.5F;
-    // False for NaN.
-    const bool inside = u >= begin && u < end_x && v >= begin && v < end_y;
-    if (!inside) [[unlikely]] {
+    if (!interior.contains(u, v)) [[unlikely]] {
       out[i] = filter_border<Kernel, kBorder>(source, positions[i]);
       continue;
     }
@@ -195,7 +219,7 @@ void filter_row(const Source& source, std::span<const MapPoint> positions, std::
 }
 
 template <Border kBorder>
-Pixel nearest_border(const Source& source, const MapPoint& position) {
+[[gnu::noinline]] Pixel nearest_border(const Source& source, const MapPoint& position) {
   if (!is_finite(position)) return Pixel::all(0);
   const int x = resolve<kBorder>(place<kBorder>(position[0], source.width()).base, source.width());
   const int y = resolve<kBorder>(place<kBorder>(position[1], source.height()).base, source.height());
@@ -204,14 +228,16 @@ Pixel nearest_border(const Source& source, const MapPoint& position) {
 
 template <Border kBorder>
 void nearest_row(const Source& source, std::span<const MapPoint> positions, std::span<Pixel> out) {
-  const float end_x = float_not_above(source.width());
-  const float end_y = float_not_above(source.height());
+  const Interior interior(source, 0, 0);
   for (std::size_t i = 0; i < positions.size(); ++i) {
+    const MapPoint& ahead = ahead_of(positions, i);
+    if (interior.contains(ahead[0], ahead[1])) {
+      __builtin_prefetch(source.row(static_cast<int>(ahead[1])) + static_cast<int>(ahead[0]));
+    }
     const float x = positions[i][0];
     const float y = positions[i][1];
-    const bool inside = x >= 0 && x < end_x && y >= 0 && y < end_y;
-    out[i] =
-        inside ? source.row(static_cast<int>(y))[static_cast<int>(x)] : nearest_border<kBorder>(source, positions[i]);
+    out[i] = interior.contains(x, y) ? source.row(static_cast<int>(y))[static_cast<int>(x)]
+                                     : nearest_border<kBorder>(source, positions[i]);
   }
 }
 
