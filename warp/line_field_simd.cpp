@@ -24,6 +24,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h.
 #include "hwy/highway.h"
+#include "warp/line_field_power-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace morphkit::warp::detail {
@@ -216,61 +217,12 @@ void fill_channels(const FieldTables& tables, int begin, const Block<kChannels>&
 
 // ---- Per pixel, in float lanes.
 
-/// log2(m) for m in [sqrt(1/2), sqrt(2)): (m - 1) times the polynomial that agrees with log2(m) / (m - 1) at the nine
-/// Chebyshev nodes of the interval; relative error below 3e-8 before rounding.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V log2_mantissa(D d, V m) {
-  const V t = hn::Sub(m, hn::Set(d, 1.0f));
-  V poly = hn::Set(d, 0.12310968466640239f);
-  poly = hn::MulAdd(poly, t, hn::Set(d, -0.2058618805104845f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, 0.21607822552354497f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, -0.23916988140163079f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, 0.2879032609244332f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, -0.3606932681352889f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, 0.48091075345941564f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, -0.7213474682495639f));
-  poly = hn::MulAdd(poly, t, hn::Set(d, 1.442695003567982f));
-  return hn::Mul(poly, t);
-}
-
-/// 2^f for f in [-1/2, 1/2], likewise; relative error below 6e-9 before rounding.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V exp2_fraction(D d, V f) {
-  V poly = hn::Set(d, 0.00015453162941960995f);
-  poly = hn::MulAdd(poly, f, hn::Set(d, 0.0013390863364651736f));
-  poly = hn::MulAdd(poly, f, hn::Set(d, 0.009618082557286533f));
-  poly = hn::MulAdd(poly, f, hn::Set(d, 0.055503571142191135f));
-  poly = hn::MulAdd(poly, f, hn::Set(d, 0.24022650760568082f));
-  poly = hn::MulAdd(poly, f, hn::Set(d, 0.6931471880262287f));
-  return hn::MulAdd(poly, f, hn::Set(d, 1.0f));
-}
-
-/// 2^(scale + power log2(z)) for normal z > 0, within a few units of roundoff whatever the size of the exponent: its
-/// large part, integers times 8 bits, is kept apart from the small one. Below 2^-126 it is 0.
-template <class D, class Split, class V = hn::Vec<D>>
-HWY_INLINE V scaled_power(D d, V z, const Split& power, const Split& scale, size_t i) {
-  const hn::RebindToSigned<D> di;
-  const auto bits = hn::BitCast(di, z);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, 0x3F3504F3)));  // against sqrt(1/2)
-  const V mantissa = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
-  const V e = hn::ConvertTo(d, exponent);
-  const V power_hi = hn::Set(d, power.hi[i]);
-  const V power_lo = hn::Set(d, power.lo[i]);
-  const V large = hn::MulAdd(power_hi, e, hn::Set(d, scale.hi[i]));  // exact
-  const V small = hn::MulAdd(hn::Add(power_hi, power_lo), log2_mantissa(d, mantissa),
-                             hn::MulAdd(power_lo, e, hn::Set(d, scale.lo[i])));
-  const V whole = hn::Round(hn::Add(large, small));
-  const V fraction = hn::Add(hn::Sub(large, whole), small);
-  const V clamped = hn::Min(hn::Max(whole, hn::Set(d, -126.0f)), hn::Set(d, 126.0f));
-  const auto two_to = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(di, clamped), hn::Set(di, 127)));
-  const V result = hn::Mul(exp2_fraction(d, fraction), hn::BitCast(d, two_to));
-  return hn::IfThenElseZero(hn::Ge(whole, hn::Set(d, -126.0f)), result);
-}
-
 template <WeightKind kKind, int kChannels, class D, class V = hn::Vec<D>>
 HWY_INLINE V weight_of(D d, V reach, const Chunk<kChannels>& chunk, size_t i) {
   if constexpr (kKind == WeightKind::kAny) {
-    return scaled_power(d, reach, chunk.power, chunk.scale, i);
+    const SplitVector<V> power{hn::Set(d, chunk.power.hi[i]), hn::Set(d, chunk.power.lo[i])};
+    const SplitVector<V> scale{hn::Set(d, chunk.scale.hi[i]), hn::Set(d, chunk.scale.lo[i])};
+    return scaled_power(d, reach, power, scale);
   } else {
     const V ratio = hn::Div(hn::Set(d, chunk.root[i]), reach);
     if constexpr (kKind == WeightKind::kOne) return ratio;
@@ -333,23 +285,15 @@ struct Lanes {
   }
 };
 
-/// Adds a chunk's weights and weighted channels to the sums of a block. Two vectors of pixels at a time share the loads
-/// of a line's numbers; a vector never holds more than half a block.
+/// Adds a chunk's weights and weighted channels to the sums of a block.
 template <WeightKind kKind, int kChannels>
 void accumulate(const Chunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums) {
-  const hn::CappedTag<float, kHalf> d;
-  const size_t step = hn::Lanes(d);
-  Lanes<kChannels, hn::CappedTag<float, kHalf>> left;
-  Lanes<kChannels, hn::CappedTag<float, kHalf>> right;
-  for (size_t k = 0; k < kFieldBlock; k += 2 * step) {
-    left.start(d, k, sums);
-    right.start(d, k + step, sums);
-    for (size_t i = 0; i < count; ++i) {
-      left.template add_line<kKind>(d, chunk, i);
-      right.template add_line<kKind>(d, chunk, i);
-    }
-    left.stop(d, k, sums);
-    right.stop(d, k + step, sums);
+  const hn::CappedTag<float, kFieldBlock> d;
+  Lanes<kChannels, hn::CappedTag<float, kFieldBlock>> lanes;
+  for (size_t k = 0; k < kFieldBlock; k += hn::Lanes(d)) {
+    lanes.start(d, k, sums);
+    for (size_t i = 0; i < count; ++i) lanes.template add_line<kKind>(d, chunk, i);
+    lanes.stop(d, k, sums);
   }
 }
 
