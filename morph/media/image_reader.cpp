@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <string_view>
@@ -48,7 +49,7 @@ std::string drain(const OIIO::ImageInput* input) {
   std::string text = input != nullptr ? input->geterror() : "";
   const std::string of_thread = OIIO::geterror();
   if (text.empty()) text = of_thread;
-  return first_line(text);
+  return text;
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
@@ -76,13 +77,22 @@ std::string lower(std::string text) {
 std::optional<Transfer> tagged_transfer(const OIIO::ImageSpec& spec) {
   const std::string tag = lower(spec.get_string_attribute("oiio:ColorSpace"));
   float gamma = spec.get_float_attribute("oiio:Gamma", 0.0F);
-  if (tag.starts_with("gamma")) gamma = std::strtof(tag.c_str() + std::string_view("gamma").size(), nullptr);
+  if (gamma == 0.0F && tag.starts_with("gamma")) {
+    gamma = std::strtof(tag.c_str() + std::string_view("gamma").size(), nullptr);
+  }
   if (tag == "srgb" || tag == "rec709") return Transfer{Transfer::Kind::kSrgb};
   if (tag == "linear" || tag == "lin_srgb" || tag == "scene_linear") return Transfer{Transfer::Kind::kLinear};
   if (!(gamma > 0.1F && gamma < 10.0F)) return std::nullopt;
   if (std::abs(gamma - kGammaOfSrgb) < kGammaTolerance) return Transfer{Transfer::Kind::kSrgb};
   if (gamma == 1.0F) return Transfer{Transfer::Kind::kLinear};
   return Transfer{Transfer::Kind::kGamma, gamma};
+}
+
+/// Whether a complaint about pixels that were "read" means that they were not. libtiff and others leave zeros where
+/// they could not read; libjpeg fills a truncated picture up with gray, but also mentions harmless oddities.
+bool tells_damage(const std::string& format, const std::string& complaint) {
+  if (format != "jpeg") return !complaint.empty();
+  return complaint.find("remature end") != std::string::npos || complaint.find("bad Huffman") != std::string::npos;
 }
 
 warp::Image upright(const warp::Image& stored, int orientation) {
@@ -178,7 +188,7 @@ void ImageReader::open() {
   if (!input_->open(file_.string(), spec_, config)) {
     const std::string complaint = drain(input_.get());
     bad_input(file_, fmt::format("the {} file is damaged or cut short ({})", format_,
-                                 complaint.empty() ? "no reason given" : complaint));
+                                 complaint.empty() ? "no reason given" : first_line(complaint)));
   }
   drain(input_.get());
 }
@@ -286,11 +296,10 @@ void ImageReader::read_rows(int begin, int end, OIIO::TypeDesc type, void* data)
                                              channel_begin_, channel_end_, type, data)
                         : input_->read_scanlines(0, 0, begin, end, spec_.z, channel_begin_, channel_end_, type, data);
   const std::string complaint = drain(input_.get());
-  // libjpeg fills the rest of a truncated picture with gray, says so, and calls it done.
-  if (done && complaint.find("remature end") == std::string::npos) return;
+  if (done && !tells_damage(format_, complaint)) return;
   bad_input(file_, fmt::format("the {} file is damaged or cut short: rows {} to {} of {} cannot be read ({})", format_,
                                begin - spec_.y, end - spec_.y - 1, spec_.height,
-                               complaint.empty() ? "the data end too early" : complaint));
+                               complaint.empty() ? "the data end too early" : first_line(complaint)));
 }
 
 warp::Image ImageReader::read_stored(const PixelDecoder& decoder, std::int64_t& nonfinite) {

@@ -120,9 +120,10 @@ TEST(ImageRoundTrip, LossyFormatsStayClose) {
   for (const std::string extension : {".jpg", ".webp"}) {
     const fs::path file = folder / ("a" + extension);
     write_image(file, image);
-    // The mean of all samples; the worst one depends on where the codec's blocks fall.
+    // One code of display light where the curve is steepest, in the mean; the worst sample depends on where the codec's
+    // blocks fall.
     const double mean = cv::norm(read_picture(file).image, image, cv::NORM_L1) / (64 * 64 * 4);
-    EXPECT_LE(mean, 1.0 / 255) << extension;
+    EXPECT_LE(mean, 2.28 / 255) << extension;
     EXPECT_GT(mean, 0) << extension;
   }
 }

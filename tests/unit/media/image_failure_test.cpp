@@ -1,0 +1,273 @@
+// What goes wrong when people read and write images: files that are not there, not images, cut, hostile; folders that
+// cannot be written, disks that are full.
+
+#include <OpenImageIO/deepdata.h>
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "morph/media/atomic_file.h"
+#include "morph/media/image_format.h"
+#include "tests/unit/media/image_support.h"
+
+namespace morphkit::media::test {
+namespace {
+
+void expect_refused(const fs::path& file, ErrorCode code, const std::string& part) {
+  SCOPED_TRACE(file.filename());
+  testing::internal::CaptureStderr();
+  for (const bool pixels : {false, true}) {
+    const Error error =
+        error_of([&] { pixels ? static_cast<void>(read_picture(file)) : static_cast<void>(read_info(file)); });
+    EXPECT_EQ(error.code(), code);
+    EXPECT_EQ(error.place(), file.string());
+    EXPECT_TRUE(contains(error.message(), part)) << error.what();
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(ImageFailure, WhatIsNotAnImageFile) {
+  const Folder folder;
+  expect_refused(folder / "missing.png", ErrorCode::kIo, "does not exist");
+  fs::create_directory(folder / "folder.png");
+  expect_refused(folder / "folder.png", ErrorCode::kIo, "is a folder");
+  put(folder / "empty.png", {});
+  expect_refused(folder / "empty.png", ErrorCode::kBadInput, "is empty");
+  put(folder / "text.png", {'h', 'e', 'l', 'l', 'o'});
+  expect_refused(folder / "text.png", ErrorCode::kBadInput, "not an image that morphkit can read");
+  expect_refused(folder / "text.png", ErrorCode::kBadInput, "supported are PNG");
+  put(folder / "x.tga", {'h', 'e', 'l', 'l', 'o'});
+  expect_refused(folder / "x.tga", ErrorCode::kBadInput, "damaged");
+  ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  expect_refused(folder / "pipe.png", ErrorCode::kIo, "not a regular file");
+}
+
+TEST(ImageFailure, UnreadableFile) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root reads everything";
+  const Folder folder;
+  write_image(folder / "a.png", random_image(2, 2, false, 1));
+  fs::permissions(folder / "a.png", fs::perms::none);
+  expect_refused(folder / "a.png", ErrorCode::kIo, "cannot be read");
+}
+
+TEST(ImageFailure, TheContentsDecideNotTheExtension) {
+  const Folder folder;
+  write_image(folder / "a.png", random_image(2, 2, false, 1));
+  fs::rename(folder / "a.png", folder / "a.jpg");
+  EXPECT_EQ(read_info(folder / "a.jpg").format, "png");
+  EXPECT_EQ(read_picture(folder / "a.jpg").image.cols, 2);
+}
+
+TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
+  const Folder folder;
+  const warp::Image image = random_image(40, 33, true, 3);
+  for (const std::string extension : {".png", ".tif", ".jpg", ".webp", ".tga", ".exr"}) {
+    const Bytes whole = encode_image(std::string("a").append(extension), image);
+    // TGA ends in areas without pixels; what cuts only those leaves a whole picture.
+    const std::size_t tail = extension == ".tga" ? 600 : 3;
+    for (const double part : {0.0, 0.1, 0.3, 0.5, 0.8, 0.95, 1.0}) {
+      std::size_t size = static_cast<std::size_t>(part * static_cast<double>(whole.size() - tail));
+      size = std::max<std::size_t>(size, 13);
+      SCOPED_TRACE(testing::Message() << extension << " " << size << " of " << whole.size());
+      const fs::path file = folder / (std::string("cut").append(extension));
+      put(file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+      testing::internal::CaptureStderr();
+      const Error error = error_of([&] { read_picture(file); });
+      EXPECT_EQ(error.code(), ErrorCode::kBadInput) << error.what();
+      EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    }
+  }
+}
+
+TEST(ImageFailure, DamagedPngIsToldByItsChunk) {
+  const Folder folder;
+  Bytes bytes = encode_image("a.png", random_image(20, 20, false, 3));
+  bytes[bytes.size() / 2] ^= 0x10;
+  put(folder / "a.png", bytes);
+  expect_refused(folder / "a.png", ErrorCode::kBadInput, "chunk IDAT");
+}
+
+/// CRC-32 of PNG, bit by bit (ISO/IEC 15948, annex D).
+std::uint32_t checksum(const Bytes& bytes) {
+  std::uint32_t crc = 0xffffffffU;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? 0xedb88320U : 0U);
+  }
+  return ~crc;
+}
+
+/// A PNG with the given size in its header, the checksum right, and the pixels of a small picture.
+Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
+  Bytes bytes = encode_image("a.png", random_image(2, 2, false, 1));
+  for (int i = 0; i < 4; ++i) {
+    bytes[16 + i] = static_cast<std::uint8_t>(width >> (24 - 8 * i));
+    bytes[20 + i] = static_cast<std::uint8_t>(height >> (24 - 8 * i));
+  }
+  const std::uint32_t crc = checksum(Bytes(bytes.begin() + 12, bytes.begin() + 29));
+  for (int i = 0; i < 4; ++i) bytes[29 + i] = static_cast<std::uint8_t>(crc >> (24 - 8 * i));
+  return bytes;
+}
+
+TEST(ImageFailure, HostileSizesAreRefusedByTheHeader) {
+  const Folder folder;
+  put(folder / "huge.png", png_of_size(100000, 100000));
+  expect_refused(folder / "huge.png", ErrorCode::kBadInput, "100000 x 100000");
+  expect_refused(folder / "huge.png", ErrorCode::kBadInput, "65536");
+  put(folder / "many.png", png_of_size(65000, 65000));
+  expect_refused(folder / "many.png", ErrorCode::kBadInput, "1073741824");
+  put(folder / "nothing.png", png_of_size(0, 5));
+  expect_refused(folder / "nothing.png", ErrorCode::kBadInput, "has no pixels");
+}
+
+TEST(ImageFailure, ManyLinesPromisedAndNoneThereCostNothing) {
+  const Folder folder;
+  put(folder / "empty.png", png_of_size(30000, 30000));
+  EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).code(), ErrorCode::kBadInput);
+}
+
+TEST(ImageFailure, DeepImagesAreRefused) {
+  const Folder folder;
+  OIIO::ImageSpec spec(1, 1, 5, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"R", "G", "B", "A", "Z"};
+  spec.deep = true;
+  OIIO::DeepData deep(spec);
+  deep.set_samples(0, 1);
+  const auto output = OIIO::ImageOutput::create("deep.exr");
+  ASSERT_TRUE(output->open((folder / "deep.exr").string(), spec));
+  ASSERT_TRUE(output->write_deep_image(deep));
+  ASSERT_TRUE(output->close());
+  expect_refused(folder / "deep.exr", ErrorCode::kBadInput, "deep");
+}
+
+TEST(ImageFailure, WritingToWhereNothingCanBe) {
+  const Folder folder;
+  const warp::Image image = random_image(2, 2, false, 1);
+  const auto refused = [&](const fs::path& file, ErrorCode code, const std::string& part) {
+    const Error error = error_of([&] { write_image(file, image); });
+    EXPECT_EQ(error.code(), code);
+    EXPECT_TRUE(contains(error.what(), part)) << error.what();
+  };
+  refused(folder / "no/such/a.png", ErrorCode::kIo, "no/such does not exist");
+  fs::create_directory(folder / "a.png");
+  refused(folder / "a.png", ErrorCode::kIo, "is a folder");
+  put(folder / "file", {1});
+  refused(folder / "file/a.png", ErrorCode::kIo, "file");
+  write_image(folder / "there.png", image);
+  refused(folder / "there.png", ErrorCode::kIo, "already exists; use --overwrite");
+  refused(folder / "a.xyz", ErrorCode::kUsage, ".webp");
+  refused(folder / "noextension", ErrorCode::kUsage, ".png");
+  refused("/proc/a.png", ErrorCode::kIo, "cannot be created");
+  EXPECT_EQ(folder.entries(), 3U);
+}
+
+TEST(ImageFailure, ReadOnlyFolder) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
+  const Folder folder;
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  const Error error = error_of([&] { write_image(folder / "a.png", random_image(2, 2, false, 1)); });
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_TRUE(contains(error.what(), "Permission denied")) << error.what();
+}
+
+TEST(ImageFailure, DepthsThatAFormatHasNot) {
+  const warp::Image image = random_image(2, 2, false, 1);
+  const auto message = [&](const std::string& name, Depth depth) {
+    WriteOptions options;
+    options.depth = depth;
+    const Error error = error_of([&] { encode_image(name, image, options); });
+    EXPECT_EQ(error.code(), ErrorCode::kUsage);
+    return std::string(error.what());
+  };
+  EXPECT_EQ(message("a.jpg", Depth::k16), "a.jpg: JPEG cannot hold 16 bit samples, only 8 bit");
+  EXPECT_EQ(message("a.png", Depth::kHalf), "a.png: PNG cannot hold half samples, only 8 bit or 16 bit");
+  EXPECT_EQ(message("a.exr", Depth::k8), "a.exr: EXR cannot hold 8 bit samples, only half or float");
+}
+
+TEST(ImageFailure, SizesAndQualitiesThatAFormatHasNot) {
+  EXPECT_TRUE(contains(error_of([] { encode_image("a.webp", warp::Image(1, 16384)); }).what(), "16383"));
+  EXPECT_EQ(error_of([] { encode_image("a.png", warp::Image()); }).code(), ErrorCode::kUsage);
+  WriteOptions options;
+  options.quality = 0;
+  EXPECT_EQ(error_of([&] { encode_image("a.jpg", warp::Image(1, 1, warp::Pixel()), options); }).code(),
+            ErrorCode::kUsage);
+}
+
+TEST(ImageFailure, FullDisk) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
+  const Folder folder;
+  if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
+    GTEST_SKIP() << "mounting is not allowed here";
+  for (const std::string extension : {".png", ".tif", ".exr", ".webp", ".tga", ".jpg"}) {
+    SCOPED_TRACE(extension);
+    const Error error =
+        error_of([&] { write_image(folder / (std::string("a").append(extension)), random_image(400, 300, false, 1)); });
+    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_TRUE(contains(error.what(), "No space left on device")) << error.what();
+    EXPECT_EQ(folder.entries(), 0U);
+  }
+  ::umount(folder.path().c_str());
+}
+
+TEST(AtomicFile, IsWholeOrNotThere) {
+  const Folder folder;
+  const fs::path file = folder / "a.txt";
+  {
+    AtomicFile given_up(file, false);
+    put(given_up.temporary(), {1, 2, 3});
+    EXPECT_FALSE(fs::exists(file));
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+  AtomicFile kept(file, false);
+  EXPECT_EQ(kept.temporary().parent_path(), folder.path());
+  EXPECT_EQ(kept.temporary().extension(), ".txt");
+  EXPECT_EQ(kept.temporary().filename().string().front(), '.');
+  kept.write(Bytes{1, 2, 3});
+  kept.commit();
+  EXPECT_EQ(bytes_of(file), (Bytes{1, 2, 3}));
+  EXPECT_EQ(folder.entries(), 1U);
+}
+
+TEST(AtomicFile, AnEmptyFileIsNotCommitted) {
+  const Folder folder;
+  {
+    AtomicFile file(folder / "a.txt", false);
+    EXPECT_EQ(error_of([&] { file.commit(); }).code(), ErrorCode::kIo);
+  }
+  EXPECT_EQ(folder.entries(), 0U);
+}
+
+TEST(AtomicFile, WhatAppearsMeanwhileIsLeftAlone) {
+  const Folder folder;
+  AtomicFile file(folder / "a.txt", false);
+  file.write(Bytes{1});
+  put(folder / "a.txt", {9});
+  EXPECT_TRUE(contains(error_of([&] { file.commit(); }).what(), "already exists"));
+  EXPECT_EQ(bytes_of(folder / "a.txt"), Bytes{9});
+}
+
+TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
+  const Folder folder;
+  put(folder / "real.txt", {9});
+  fs::permissions(folder / "real.txt", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("real.txt", folder / "link.txt");
+  write_file(folder / "link.txt", Bytes{1, 2}, true);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(bytes_of(folder / "real.txt"), (Bytes{1, 2}));
+  EXPECT_EQ(fs::status(folder / "real.txt").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(error_of([] { write_file("/dev/null", Bytes{1}, true); }).code(), ErrorCode::kIo);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, LongNamesHaveTemporaryNames) {
+  const Folder folder;
+  const fs::path file = folder / (std::string(250, 'x') + ".txt");
+  write_file(file, Bytes{1}, false);
+  EXPECT_EQ(bytes_of(file), Bytes{1});
+}
+
+}  // namespace
+}  // namespace morphkit::media::test
