@@ -1,6 +1,6 @@
 #pragma once
 // What the loader accepts at most. Far beyond any real project, close enough to keep hostile files cheap.
-// The same figures stand in schema_text() and docs/project-file.md; tests hold the three together.
+// The same figures stand in schema_text(), which a test compares, and in docs/project-file.md.
 
 #include <cstddef>
 
