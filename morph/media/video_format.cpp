@@ -140,10 +140,12 @@ std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOpt
   check_options(format, options, shown);
   const cv::Size size = format.coded_size(options.size);
   Arguments arguments = {"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-xerror"};
+  const std::string rate = fmt::format("{}/{}", options.fps_num, options.fps_den);
   append(arguments, {"-f", "rawvideo", "-pix_fmt", pix_fmt(format.raw(options.has_alpha)), "-video_size",
-                     fmt::format("{}x{}", size.width, size.height), "-framerate",
-                     fmt::format("{}/{}", options.fps_num, options.fps_den), "-i", "pipe:0"});
+                     fmt::format("{}x{}", size.width, size.height), "-framerate", rate, "-i", "pipe:0"});
   append_codec(arguments, format, options);
+  // -r again, for the output: ffmpeg otherwise guesses the input's rate from its times and takes 120000/1001 for 120.
+  append(arguments, {"-r", rate});
   // Without bitexact, containers hold dates, random identifiers and version numbers. x264's bytes depend on the number
   // of threads, so it must not depend on the machine.
   append(arguments, {"-threads", "4", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", format.muxer});

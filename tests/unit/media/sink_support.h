@@ -1,0 +1,176 @@
+#pragma once
+// A folder of one's own, pictures that move, and what ffmpeg and ffprobe say of a file.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "morph/error.h"
+#include "morph/media/frame_sink.h"
+
+namespace morphkit::media::test {
+
+namespace fs = std::filesystem;
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// An empty folder that goes away with the object.
+class TempFolder {
+ public:
+  TempFolder() {
+    static std::atomic<int> count{0};
+    path_ = fs::path(testing::TempDir()) / ("sink_test." + std::to_string(::getpid()) + "." + std::to_string(++count));
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+  ~TempFolder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  const fs::path& path() const { return path_; }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(path_)) found.push_back(entry.path().filename().string());
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// An environment variable set to something else for a while.
+class Environment {
+ public:
+  Environment(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    ::setenv(name, value.c_str(), 1);
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+  ~Environment() { ::setenv(name_, before_.c_str(), 1); }
+  const std::string& before() const { return before_; }
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+inline Bytes read_bytes(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Standard output of a shell command; the test fails if the command does.
+inline Bytes output_of(const std::string& command) {
+  Bytes bytes;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) {
+    ADD_FAILURE() << "cannot start " << command;
+    return bytes;
+  }
+  std::uint8_t buffer[65536];
+  for (std::size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    bytes.insert(bytes.end(), buffer, buffer + got);
+  EXPECT_EQ(::pclose(pipe), 0) << command;
+  return bytes;
+}
+
+/// What ffprobe says of the only video stream, every frame decoded and counted.
+inline std::map<std::string, std::string> probe(const fs::path& file) {
+  const Bytes text =
+      output_of("ffprobe -v error -count_frames -select_streams v -show_streams '" + file.string() + "'");
+  std::istringstream lines(std::string(text.begin(), text.end()));
+  std::map<std::string, std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    if (const auto equals = line.find('='); equals != std::string::npos)
+      found[line.substr(0, equals)] = line.substr(equals + 1);
+  return found;
+}
+
+/// All frames, one after the other, in ffmpeg's pixel format `pix_fmt`.
+inline Bytes decode(const fs::path& file, const std::string& pix_fmt, const std::string& decoder = "") {
+  const std::string input = decoder.empty() ? " -i '" : " -c:v " + decoder + " -i '";
+  return output_of("ffmpeg -nostdin -v error" + input + file.string() +
+                   "' -fps_mode passthrough -sws_flags accurate_rnd+full_chroma_int+bicubic -f rawvideo -pix_fmt " +
+                   pix_fmt + " -");
+}
+
+/// The same in 8-bit RGB or RGBA. `deep` files are decoded to 16 bits and rounded by us: swscale truncates.
+inline Bytes decode8(const fs::path& file, bool alpha, bool deep, const std::string& decoder = "") {
+  if (!deep) return decode(file, alpha ? "rgba" : "rgb24", decoder);
+  const Bytes codes = decode(file, alpha ? "rgba64le" : "rgb48le", decoder);
+  Bytes bytes;
+  for (std::size_t i = 0; i + 1 < codes.size(); i += 2)
+    bytes.push_back(static_cast<std::uint8_t>(((codes[i] | codes[i + 1] << 8) + 128) / 257));
+  return bytes;
+}
+
+/// dB of 8-bit codes; infinite when equal, NaN (which fails every comparison) when the sizes differ.
+inline double psnr(const Bytes& a, const Bytes& b) {
+  if (a.size() != b.size() || a.empty()) return std::nan("");
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (double(a[i]) - b[i]) * (double(a[i]) - b[i]);
+  return 10 * std::log10(255.0 * 255.0 * double(a.size()) / sum);
+}
+
+/// A smooth picture that moves with `frame`; with alpha, a soft disc on nothing.
+inline warp::Image moving_picture(cv::Size size, int frame, bool with_alpha = false) {
+  warp::Image image(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const float u = float(x + frame) / float(size.width);
+      const float v = float(y) / float(size.height);
+      const float from_centre =
+          std::hypot(float(x) + 0.5F - 0.5F * float(size.width), float(y) + 0.5F - 0.5F * float(size.height));
+      const float a = with_alpha ? std::clamp((0.45F * float(size.height) - from_centre) / 4.0F, 0.0F, 1.0F) : 1.0F;
+      image(y, x) = {(0.5F + 0.4F * std::sin(6.0F * u)) * a, (0.1F + 0.8F * v) * a,
+                     (0.5F + 0.4F * std::cos(5.0F * (u + v))) * a, a};
+    }
+  }
+  return image;
+}
+
+/// Writes frames 0 .. count-1 and finishes.
+inline void write_all(FrameSink& sink, cv::Size size, int count, bool with_alpha = false) {
+  for (int frame = 0; frame < count; ++frame)
+    sink.write(frame, sink.encode(frame, moving_picture(size, frame, with_alpha)));
+  sink.finish();
+}
+
+/// The error that `action` throws; the test fails if it throws none.
+template <typename Action>
+Error error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {ErrorCode::kFailed, "", ""};
+}
+
+/// Whether this process has any child, running or not reaped.
+inline bool has_children() {
+  return ::waitpid(-1, nullptr, WNOHANG | WNOWAIT) != -1;
+}
+
+}  // namespace morphkit::media::test
