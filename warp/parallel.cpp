@@ -62,7 +62,7 @@ struct Item {
 class PipelineRun {
  public:
   PipelineRun(std::int64_t count, const PipelineStages& stages, const std::function<bool()>& cancelled)
-      : stages_(stages), cancelled_(cancelled), end_(count) {}
+      : count_(count), stages_(stages), cancelled_(cancelled) {}
 
   std::int64_t run(int in_flight) {
     Arena::get().arena().execute([&] {
@@ -83,7 +83,7 @@ class PipelineRun {
 
  private:
   std::int64_t next(tbb::flow_control& flow) {
-    if (next_ < end_ && !ask_cancelled()) return next_++;
+    if (next_ < count_ && !stopped_ && !ask_cancelled()) return next_++;
     flow.stop();
     return 0;
   }
@@ -100,12 +100,11 @@ class PipelineRun {
 
   Item make(std::int64_t index) {
     Item item{index, nullptr, nullptr};
-    if (index >= end_) return item;
+    if (stopped_) return item;  // nobody wants it any more
     try {
       item.value = stages_.make(index);
     } catch (...) {
       item.failure = std::current_exception();
-      stop_before(index);
     }
     return item;
   }
@@ -118,20 +117,15 @@ class PipelineRun {
       ++delivered_;
     } catch (...) {
       failure_ = std::current_exception();
-      stop_before(item.index);
+      stopped_ = true;
     }
   }
 
-  void stop_before(std::int64_t index) {
-    std::int64_t end = end_;
-    while (index < end && !end_.compare_exchange_weak(end, index)) {
-    }
-  }
-
+  const std::int64_t count_;
   const PipelineStages& stages_;
   const std::function<bool()>& cancelled_;
-  std::atomic<std::int64_t> end_;  ///< items from here on are not wanted (any more)
-  std::int64_t next_ = 0;          ///< used by the serial first stage only
+  std::atomic<bool> stopped_ = false;
+  std::int64_t next_ = 0;  ///< used by the serial first stage only
   std::exception_ptr cancel_failure_;
   std::int64_t delivered_ = 0;  ///< used by the serial last stage only
   std::exception_ptr failure_;
