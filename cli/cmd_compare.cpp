@@ -24,6 +24,15 @@ std::string pixel_text(const warp::Pixel& pixel) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", pixel[0], pixel[1], pixel[2], pixel[3]);
 }
 
+/// CLI::NonNegativeNumber names the largest double, all 309 digits of it.
+const CLI::Validator kNonNegative(
+    [](std::string& text) {
+      double value = 0;
+      const bool valid = CLI::detail::lexical_cast(text, value) && value >= 0;
+      return valid ? std::string() : fmt::format("'{}' is not a number of at least 0", text);
+    },
+    "");
+
 Report pixel_report(const warp::Pixel& pixel) {
   Report report = Report::array();
   for (int c = 0; c < 4; ++c) report.push(static_cast<double>(pixel[c]));
@@ -102,11 +111,9 @@ void add_compare(CLI::App& app, Session& session) {
   command->add_option("B", options->b, "Another of the same size")->type_name("")->required();
   command->add_option("--tolerance", options->tolerance, "Largest difference that passes; 1 is black to white")
       ->type_name("T")
-      ->check(CLI::NonNegativeNumber.description(""));
+      ->check(kNonNegative);
   command->add_option("--difference", options->difference, "Write a picture of the difference")->type_name("FILE");
-  command->add_option("--gain", options->gain, "Amplify that picture (10)")
-      ->type_name("G")
-      ->check(CLI::NonNegativeNumber.description(""));
+  command->add_option("--gain", options->gain, "Amplify that picture (10)")->type_name("G")->check(kNonNegative);
   command->add_flag("-y,--overwrite", options->overwrite, "Replace the picture of the difference if it exists");
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->callback(

@@ -45,7 +45,7 @@ std::vector<std::string> chosen_names(const DemoOptions& options) {
   const auto similar = nearest(options.name, names);
   throw Error(ErrorCode::kUsage, "demo",
               fmt::format("there is no sample '{}'; {}", options.name,
-                          similar ? "did you mean '" + *similar + "'?" : "morphkit demo --list names them"));
+                          similar ? fmt::format("did you mean '{}'?", *similar) : "morphkit demo --list names them"));
 }
 
 void say_what_to_see(const samples::Sample& sample, const std::filesystem::path& project_file,
@@ -91,7 +91,8 @@ void add_demo(CLI::App& app, Session& session) {
                    "  morphkit demo --all -o /tmp/demo",
                    kHelpGroup});
   auto options = std::make_shared<DemoOptions>();
-  command->add_option("NAME", options->name, "Which sample (the first)")->type_name("");
+  command->add_option("NAME", options->name, "Which sample (the first)")
+      ->type_name(fmt::format("{{{}}}", fmt::join(samples::names(), ",")));
   command->add_option("-o,--output", options->folder, "Folder to write into (morphkit-demo)")->type_name("DIR");
   command->add_option("-n,--frame-count", options->frame_count, "Number of frames, if not the project's own")
       ->type_name("N")

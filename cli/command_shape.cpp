@@ -5,7 +5,8 @@
 namespace morphkit::cli {
 namespace {
 
-/// CLI::IsMember describes itself in the type name as "{a,b,c}"; the library offers no other way to its choices.
+/// Choices are the part of the type name in braces, "SHELL:{bash,zsh}": there CLI::IsMember puts them, and the library
+/// offers no other way to them.
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t begin = type.rfind('{');
@@ -21,6 +22,8 @@ OptionShape shape_of(const CLI::Option& option) {
   const std::string description = option.get_description();
   shape.description = description.substr(0, description.find('\n'));
   shape.takes_value = option.get_items_expected_max() > 0;
+  const std::string type = option.get_type_name();
+  shape.takes_file = type == "FILE" || type == "DIR" || type.starts_with("OUT") || type == "F";
   shape.choices = choices_of(option);
   return shape;
 }

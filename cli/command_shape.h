@@ -15,6 +15,7 @@ struct OptionShape {
   std::vector<std::string> names;  ///< "-o", "--output"
   std::string description;         ///< its first line
   bool takes_value = false;
+  bool takes_file = false;           ///< its value is named FILE, DIR, OUT or F in the help
   std::vector<std::string> choices;  ///< the only values it takes, if it is such an option
 };
 

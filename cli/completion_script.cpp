@@ -18,7 +18,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 
 /// Inside single quotes of sh.
 std::string quoted(const std::string& text) {
-  return "'" + replaced(text, "'", "'\\''") + "'";
+  return fmt::format("'{}'", replaced(text, "'", "'\\''"));
 }
 
 /// Branches of bash's "what follows this option": its choices, a file name, or nothing to propose.
@@ -28,9 +28,8 @@ std::string bash_value_branches(const CommandShape& command, const std::string& 
     if (!option.takes_value) continue;
     std::vector<std::string> patterns;
     for (const std::string& name : option.names) patterns.push_back(fmt::format("'{} {}'", key, name));
-    const std::string action = option.choices.empty()
-                                   ? std::string("_morphkit_files")
-                                   : fmt::format("_morphkit_words '{}'", joined(option.choices, " "));
+    std::string action = option.takes_file ? "_morphkit_files" : ":";
+    if (!option.choices.empty()) action = fmt::format("_morphkit_words '{}'", joined(option.choices, " "));
     text += fmt::format("    {}) {}; return ;;\n", joined(patterns, "|"), action);
   }
   return text;
@@ -49,8 +48,8 @@ std::string zsh_text(const std::string& text) {
 }
 
 std::string zsh_option(const OptionShape& option, const std::string& name) {
-  const std::string action =
-      option.choices.empty() ? std::string("_files") : fmt::format("({})", joined(option.choices, " "));
+  std::string action = option.takes_file ? "_files" : " ";
+  if (!option.choices.empty()) action = fmt::format("({})", joined(option.choices, " "));
   const std::string value = option.takes_value ? ":value:" + action : "";
   return quoted(fmt::format("{}[{}]{}", name, zsh_text(option.description), value));
 }
@@ -71,7 +70,7 @@ std::string fish_option(const OptionShape& option, const std::string& condition)
   if (!option.choices.empty()) {
     text += fmt::format(" -x -a {}", quoted(joined(option.choices, " ")));
   } else if (option.takes_value) {
-    text += " -r";
+    text += option.takes_file ? " -r" : " -x";
   }
   return text + " -d " + quoted(option.description) + "\n";
 }

@@ -21,6 +21,7 @@
 #include "cli/cmd_morph.h"
 #include "cli/cmd_schema.h"
 #include "cli/command.h"
+#include "cli/help_format.h"
 #include "cli/suggest.h"
 #include "cli/terminal.h"
 #include "morph/error.h"
@@ -40,9 +41,8 @@ constexpr const char* kFooter =
 
 std::unique_ptr<CLI::App> make_app(Session& session) {
   auto app = std::make_unique<CLI::App>("Bends pictures, and turns one picture into another.", "morphkit");
-  app->get_formatter()->column_width(30);
-  app->get_formatter()->label("SUBCOMMAND", "COMMAND");
-  app->set_version_flag("--version", "morphkit " MORPHKIT_VERSION, "Print the version")->group("Common options");
+  app->formatter(help_formatter());
+  app->set_version_flag("--version", "morphkit " MORPHKIT_VERSION, "Print the version")->group(kCommonGroup);
   add_common_options(*app, session.common);
   app->require_subcommand(0, 1);
   app->footer(kFooter);

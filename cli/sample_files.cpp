@@ -1,6 +1,7 @@
 #include "cli/sample_files.h"
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -9,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "morph/error.h"
+#include "morph/media/atomic_file.h"
 #include "morph/media/image_file.h"
-#include "morph/project/project.h"
 #include "warp/color.h"
 #include "warp/compare.h"
 
@@ -60,7 +61,7 @@ void write_project(const std::string& text, const std::filesystem::path& file, b
     if (there != text) fail_changed(file);
     return;
   }
-  project::save(project::parse(text, file), file);
+  media::write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
 }
 
 }  // namespace
