@@ -24,8 +24,10 @@ warp::Image image_of(const PaintedPicture& picture) {
 
 std::filesystem::path write(const std::string& name, const std::filesystem::path& folder, bool overwrite) {
   const Sample sample = paint(name);
+  media::WriteOptions options;
+  options.overwrite = overwrite;
   for (const PaintedPicture& picture : sample.pictures)
-    media::write_image(folder / picture.name, image_of(picture), {.overwrite = overwrite});
+    media::write_image(folder / picture.name, image_of(picture), options);
   const std::filesystem::path project = folder / (sample.name + ".json");
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(sample.project.data());
   media::write_file(project, {bytes, sample.project.size()}, overwrite);
