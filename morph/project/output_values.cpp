@@ -76,7 +76,6 @@ std::optional<std::string> hex_text(const Color& color) {
 }  // namespace
 
 Rate read_fps(const Cursor& at) {
-  Rate rate;
   if (at.is(Kind::kNumber)) {
     const double value = at.node().number;
     const auto decimal = std::find_if(std::begin(kDecimalRates), std::end(kDecimalRates),
