@@ -62,7 +62,7 @@ void say_what_is_next(const std::filesystem::path& project_file, Output& output)
   const std::string file = project_file.string();
   output.line("\nTry next:");
   output.line(fmt::format("  morphkit check {}", file));
-  output.line(fmt::format("  morphkit morph {} -o small.gif --size 320x240", file));
+  output.line(fmt::format("  morphkit morph {} -t 0.5 -o middle.png", file));
   output.line("  and copy the project, name two pictures of your own in it, and move its features.");
 }
 

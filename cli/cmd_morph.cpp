@@ -16,6 +16,7 @@
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/error.h"
+#include "morph/media/frame_pattern.h"
 #include "morph/media/frame_sink.h"
 #include "morph/media/image_file.h"
 #include "morph/render/renderer.h"
@@ -83,8 +84,10 @@ media::SinkOptions sink_options(const MorphOptions& options, const render::Rende
   sink.fps_num = output.fps_num;
   sink.fps_den = output.fps_den;
   sink.has_alpha = renderer.has_alpha();
+  sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
   sink.image.depth = media::depth_from(options.depth);
-  sink.image.overwrite = options.overwrite;
+  // Resuming replaces what stands under a frame's name and is no frame.
+  sink.image.overwrite = options.overwrite || options.resume;
   sink.image.metadata = std::move(metadata);
   if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
   return sink;
@@ -136,6 +139,11 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
                                  out.start, last);
   run.resume = options.resume;
   run.cancelled = interrupted;
+  const bool numbered = media::FramePattern::matches(options.output);
+  if (options.resume && !numbered && std::filesystem::exists(options.output)) {
+    output.note(options.output.string() + ": is complete, for it would not be there otherwise; nothing to resume");
+    return 0;
+  }
   const auto sink = media::open_sink(options.output, sink_options, run.frames.size() == 1);
   refuse_to_overwrite(*sink, run.frames, options);
 

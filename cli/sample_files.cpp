@@ -1,6 +1,5 @@
 #include "cli/sample_files.h"
 
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -12,7 +11,7 @@
 #include "morph/error.h"
 #include "morph/media/atomic_file.h"
 #include "morph/media/image_file.h"
-#include "warp/color.h"
+#include "samples/write.h"
 #include "warp/compare.h"
 
 namespace morphkit::cli {
@@ -43,7 +42,7 @@ bool holds_picture(const std::filesystem::path& file, const warp::Image& image) 
 
 void write_picture(const samples::PaintedPicture& picture, const std::filesystem::path& folder, bool overwrite) {
   const std::filesystem::path file = folder / picture.name;
-  const warp::Image image = linear_from_painted(picture.pixels);
+  const warp::Image image = samples::image_of(picture);
   if (!overwrite && std::filesystem::exists(file)) {
     if (!holds_picture(file, image)) fail_changed(file);
     return;
@@ -65,22 +64,6 @@ void write_project(const std::string& text, const std::filesystem::path& file, b
 }
 
 }  // namespace
-
-warp::Image linear_from_painted(const cv::Mat4b& painted) {
-  std::array<float, 256> linear{};
-  for (std::size_t value = 0; value < linear.size(); ++value) {
-    linear[value] = warp::linear_from_srgb(static_cast<float>(value) / 255.0F);
-  }
-  warp::Image image(painted.size());
-  for (int y = 0; y < painted.rows; ++y) {
-    for (int x = 0; x < painted.cols; ++x) {
-      const cv::Vec4b& from = painted(y, x);
-      const float alpha = static_cast<float>(from[3]) / 255.0F;
-      image(y, x) = {linear[from[0]] * alpha, linear[from[1]] * alpha, linear[from[2]] * alpha, alpha};
-    }
-  }
-  return image;
-}
 
 std::filesystem::path write_sample(const samples::Sample& sample, const std::filesystem::path& folder, bool overwrite) {
   make_folder(folder);

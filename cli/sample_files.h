@@ -4,12 +4,8 @@
 #include <filesystem>
 
 #include "samples/samples.h"
-#include "warp/image.h"
 
 namespace morphkit::cli {
-
-/// 8-bit, straight, display-referred sRGB -> linear, premultiplied float.
-warp::Image linear_from_painted(const cv::Mat4b& painted);
 
 /// Writes the pictures and <name>.json into `folder`, which is made if missing. A file that already holds the same
 /// is left alone.

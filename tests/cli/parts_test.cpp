@@ -52,7 +52,10 @@ TEST(FrameRange, StrideSharesOfAFarmAddUpToTheWhole) {
     const int machines = 1 + static_cast<int>(engine() % static_cast<unsigned>(last));
     std::string shares;
     for (int i = 0; i < machines; ++i) {
-      shares += (i == 0 ? "" : ",") + std::to_string(1 + i) + "-x" + std::to_string(machines);
+      if (i > 0) shares += ",";
+      shares += std::to_string(1 + i);
+      shares += "-x";
+      shares += std::to_string(machines);
     }
     EXPECT_EQ(parse_frame_range(shares, 1, last), parse_frame_range("1-", 1, last)) << shares;
   }
