@@ -12,11 +12,11 @@
 
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
-#include "cli/sample_files.h"
 #include "cli/suggest.h"
 #include "cli/terminal.h"
 #include "morph/error.h"
 #include "samples/samples.h"
+#include "samples/write.h"
 
 namespace morphkit::cli {
 namespace {
@@ -68,7 +68,7 @@ void say_what_is_next(const std::filesystem::path& project_file, Output& output)
 
 std::filesystem::path demo_one(const std::string& name, const DemoOptions& options, bool video, Output& output) {
   const samples::Sample sample = samples::paint(name);
-  const std::filesystem::path project_file = write_sample(sample, options.folder, options.overwrite);
+  const std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
   MorphOptions morph;
   morph.inputs = {project_file};
   morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));

@@ -56,16 +56,14 @@ void add_map(CLI::App& app, Session& session) {
       ->required()
       ->expected(1, 2);
   command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
-  command->add_option("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1.0).description(""));
+  command->add_option("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)")->type_name("T");
   command->add_option("--frames", options->frames, "Or these frames, into numbered files")->type_name("RANGE");
   command->add_option("--side", options->side, "Which picture the map looks into: source (default), destination")
       ->type_name("SIDE")
-      ->check(CLI::IsMember({"source", "destination"}).description(""));
+      ->check(CLI::IsMember({"source", "destination"}));
   command->add_option("--origin", options->origin, "Where (0, 0) lies: bottom-left (default), top-left")
       ->type_name("CORNER")
-      ->check(CLI::IsMember({"bottom-left", "top-left"}).description(""));
+      ->check(CLI::IsMember({"bottom-left", "top-left"}));
   command->add_option("-o,--output", options->output, "The file, or a numbered name for frames")
       ->type_name("OUT.exr")
       ->required();
@@ -77,6 +75,7 @@ void add_map(CLI::App& app, Session& session) {
 int run_map(const MapOptions& options, Output& output) {
   if (options.t.has_value() == !options.frames.empty())
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
+  if (options.t) require_moment(*options.t);
   const project::Project project = project_from(options.inputs, options.features);
   const render::Renderer renderer(project, render::load_pictures(project));
   if (!options.t) return write_frames(options, renderer, output);

@@ -175,15 +175,14 @@ void add_options(CLI::App& command, MorphOptions& options) {
   command.add_option("--frames", options.frames, "Only these frames: 1-240, 1-240x2, 1,5,9-12, 10-")
       ->type_name("RANGE");
   command.add_option("-t,--time", options.t, "One picture at this moment, 0 (source) to 1 (destination)")
-      ->type_name("T")
-      ->check(CLI::Range(0.0, 1.0).description(""));
+      ->type_name("T");
   command.add_option("-n,--frame-count", options.frame_count, "Number of frames from first to last")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000'000).description(""));
   command.add_option("--size", options.size, "Size of the output in pixels")->type_name("WxH");
   command.add_option("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none")
       ->type_name("FIT")
-      ->check(CLI::IsMember(kFits).description(""));
+      ->check(CLI::IsMember(kFits));
   command.add_option("--fps", options.fps, "Frames per second of a video: 25, 30000/1001")->type_name("RATE");
   command.add_option("--depth", options.depth, "Bits of frame files: 8, 16, half, float")->type_name("DEPTH");
   command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
@@ -226,7 +225,13 @@ project::Project project_from(const std::vector<std::filesystem::path>& inputs, 
   return project::load(inputs.front());
 }
 
+void require_moment(double t) {
+  if (t >= 0 && t <= 1) return;
+  throw Error(ErrorCode::kUsage, "-t", fmt::format("{} is no moment; 0 is the source, 1 the destination", t));
+}
+
 int run_morph(const MorphOptions& options, Output& output) {
+  if (options.t) require_moment(*options.t);
   if (options.t && !options.frames.empty())
     throw Error(ErrorCode::kUsage, "-t", "is one moment; it does not go with --frames");
   if (options.resume && options.overwrite)

@@ -43,4 +43,7 @@ int run_morph(const MorphOptions& options, Output& output);
 /// @throws Error kUsage if they are neither; as project::load.
 project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features);
 
+/// @throws Error kUsage unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
+void require_moment(double t);
+
 }  // namespace morphkit::cli

@@ -12,9 +12,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    std::filesystem::create_directories(argv[1]);
     for (const std::string& name : morphkit::samples::names())
-      std::printf("%s\n", morphkit::samples::write(name, argv[1], true).c_str());
+      std::printf("%s\n", morphkit::samples::write(morphkit::samples::paint(name), argv[1], true).c_str());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -2,7 +2,6 @@
 // A sample as files: its pictures, and the project beside them.
 
 #include <filesystem>
-#include <string>
 
 #include "samples/samples.h"
 #include "warp/image.h"
@@ -12,9 +11,10 @@ namespace morphkit::samples {
 /// The picture as the rest of morphkit knows pictures: linear, premultiplied.
 warp::Image image_of(const PaintedPicture& picture);
 
-/// Paints a sample and writes its PNG files and `<name>.json` into an existing folder. @return the project file.
-/// @throws std::invalid_argument for an unknown name; Error kIo if a file cannot be written, or exists and `overwrite`
-/// is false.
-std::filesystem::path write(const std::string& name, const std::filesystem::path& folder, bool overwrite);
+/// Writes the pictures as PNG and the project as <name>.json into `folder`, which is made if missing. A file that
+/// already holds the same is left alone.
+/// @return  the project file.
+/// @throws Error kIo, also if a file with other contents exists and `overwrite` is off: it may be somebody's work.
+std::filesystem::path write(const Sample& sample, const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace morphkit::samples

@@ -27,7 +27,9 @@ warp::Image noise(unsigned seed) {
 /// Random lines of 40 to 200 px whose ends move by up to 20 px: what people draw on a face.
 project::Project random_project(int lines) {
   std::mt19937 random(42);
-  const auto uniform = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
   project::Project project;
   project.influence.a = 1;
   project.influence.b = 1.5;
