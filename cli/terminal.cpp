@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
@@ -29,7 +30,7 @@ int terminal_columns(std::FILE* file) {
 }
 
 std::string duration_text(double duration_s) {
-  const auto whole = static_cast<long long>(duration_s + 0.5);
+  const long long whole = std::llround(duration_s);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
   return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);

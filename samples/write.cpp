@@ -79,7 +79,7 @@ warp::Image image_of(const PaintedPicture& picture) {
 std::filesystem::path write(const Sample& sample, const std::filesystem::path& folder, bool overwrite) {
   make_folder(folder);
   for (const PaintedPicture& picture : sample.pictures) write_picture(picture, folder, overwrite);
-  const std::filesystem::path project_file = folder / (sample.name + ".json");
+  std::filesystem::path project_file = folder / (sample.name + ".json");
   write_project(sample.project, project_file, overwrite);
   return project_file;
 }

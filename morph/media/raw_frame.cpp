@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
@@ -68,7 +69,7 @@ class Codes {
   explicit Codes(std::vector<std::uint8_t>& bytes, std::size_t first_code = 0)
       : next_(reinterpret_cast<Code*>(bytes.data()) + first_code) {}
   /// `value` is in codes, already within their range.
-  void put(float value) { *next_++ = static_cast<Code>(value + 0.5F); }
+  void put(float value) { *next_++ = static_cast<Code>(std::lround(value)); }
 
  private:
   Code* next_;

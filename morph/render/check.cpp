@@ -104,6 +104,7 @@ class Checker {
                          std::set<std::pair<int, int>>& known) {
     const std::vector<LinePair>& pairs = renderer_.pairs();
     std::vector<warp::Line> lines;
+    lines.reserve(pairs.size());
     for (const LinePair& pair : pairs) lines.push_back(line_of(pair));
     std::set<std::pair<int, int>> here;
     for (std::size_t i = 0; i < pairs.size(); ++i)

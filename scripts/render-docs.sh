@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Renders the pictures of the README anew, from the samples, into docs/images.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cmake --preset release > /dev/null
+cmake --build --preset release --target morphkit_cli morphkit_paint
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+build/release/samples/morphkit_paint "$work" > /dev/null
+
+# strip NAME WIDTH HEIGHT OUT: five moments side by side, over a quiet grey
+strip() {
+  local inputs=() scaled="" row="" i=0
+  for t in 0 0.25 0.5 0.75 1; do
+    build/release/bin/morphkit morph "$work/$1.json" -t "$t" -o "$work/$1-$t.png" --quiet
+    inputs+=(-i "$work/$1-$t.png")
+    scaled+="[$i]scale=$2:$3[p$i];"
+    row+="[p$i]"
+    i=$((i + 1))
+  done
+  ffmpeg -v error -y "${inputs[@]}" -frames:v 1 -update 1 -filter_complex \
+    "${scaled}${row}hstack=5[row];color=0x909aa4:s=$(($2 * 5))x$3[grey];[grey][row]overlay=shortest=1,format=rgb24" "$4"
+}
+
+mkdir -p docs/images
+strip portraits 240 300 docs/images/portraits.png
+strip objects 240 240 "$work/objects.png"
+strip scenes 240 135 "$work/scenes.png"
+ffmpeg -v error -y -i "$work/objects.png" -i "$work/scenes.png" -frames:v 1 -update 1 -filter_complex vstack \
+  docs/images/more.png
