@@ -25,7 +25,7 @@ bool on_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
   }
   return false;
 }
@@ -38,7 +38,7 @@ int list_samples(Output& output) {
 }
 
 std::vector<std::string> chosen_names(const DemoOptions& options) {
-  const std::vector<std::string> names = samples::names();
+  std::vector<std::string> names = samples::names();
   if (options.all) return names;
   if (options.name.empty()) return {names.front()};
   if (std::find(names.begin(), names.end(), options.name) != names.end()) return {options.name};
@@ -68,7 +68,7 @@ void say_what_is_next(const std::filesystem::path& project_file, Output& output)
 
 std::filesystem::path demo_one(const std::string& name, const DemoOptions& options, bool video, Output& output) {
   const samples::Sample sample = samples::paint(name);
-  const std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
+  std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
   MorphOptions morph;
   morph.inputs = {project_file};
   morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));

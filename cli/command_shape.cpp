@@ -19,7 +19,7 @@ OptionShape shape_of(const CLI::Option& option) {
   OptionShape shape;
   for (const std::string& name : option.get_snames()) shape.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) shape.names.push_back("--" + name);
-  const std::string description = option.get_description();
+  const std::string& description = option.get_description();
   shape.description = description.substr(0, description.find('\n'));
   shape.takes_value = option.get_items_expected_max() > 0;
   const std::string type = option.get_type_name();

@@ -41,7 +41,7 @@ void paint_mesas(Canvas& canvas) {
   const Path far{{-20, 418}, {60, 412},  {96, 352},  {214, 346},          {244, 402},         {330, 414},
                  {410, 404}, {456, 414}, {482, 372}, {562, 368},          {588, 410},         {800, 418},
                  {842, 380}, {922, 376}, {980, 410}, {980, kHorizon + 6}, {-20, kHorizon + 6}};
-  const auto strata = [](Color dark, Color light, float offset) {
+  const auto strata = [](const Color& dark, const Color& light, float offset) {
     return [=](Point p) {
       const float wobble = 5 * fractal_noise(Point(p.x * 0.02F, p.y * 0.05F), 3, 13);
       const float band = value_noise(Point(0.5F, (p.y + wobble) * 0.13F + offset), 17);

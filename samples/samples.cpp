@@ -42,6 +42,7 @@ const std::array kRecipes{
 
 std::vector<std::string> names() {
   std::vector<std::string> result;
+  result.reserve(kRecipes.size());
   for (const Recipe& recipe : kRecipes) result.emplace_back(recipe.name);
   return result;
 }

@@ -290,7 +290,7 @@ std::shared_ptr<const Metadata> ImageReader::metadata() const {
   return std::make_shared<const Metadata>(spec_);
 }
 
-void ImageReader::read_rows(int begin, int end, OIIO::TypeDesc type, void* data) {
+void ImageReader::read_rows(int begin, int end, const OIIO::TypeDesc& type, void* data) {
   const bool done = spec_.tile_width > 0
                         ? input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, begin, end, spec_.z, spec_.z + 1,
                                              channel_begin_, channel_end_, type, data)

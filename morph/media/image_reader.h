@@ -39,7 +39,7 @@ class ImageReader {
   void choose_channels();
   Transfer transfer(ColorSpace space) const;
   StoredLayout layout(ColorSpace space) const;
-  void read_rows(int begin, int end, OIIO::TypeDesc type, void* data);
+  void read_rows(int begin, int end, const OIIO::TypeDesc& type, void* data);
   warp::Image read_stored(const PixelDecoder& decoder, std::int64_t& nonfinite);
   warp::Image read_webp(const PixelDecoder& decoder, std::int64_t& nonfinite);
   warp::Image to_display_window(const warp::Image& data_window) const;

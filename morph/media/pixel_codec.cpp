@@ -153,7 +153,7 @@ void PixelEncoder::encode_codes(const warp::Pixel* pixels, int width, Sample* ro
     }
     if (channels_ < 4) continue;
     const float covered = empty ? 0.0F : std::min(alpha, 1.0F);
-    row[3] = static_cast<Sample>(covered * kLargest<Sample> + 0.5F);
+    row[3] = static_cast<Sample>(std::lround(covered * kLargest<Sample>));
   }
 }
 

@@ -177,7 +177,9 @@ class Writer {
     std::string result = is_object ? "{" : "[";
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const std::string key = is_object ? quote(node.keys[i]) + ": " : "";
-      result += (i > 0 ? "," : "") + start + key;
+      if (i > 0) result += ',';
+      result += start;
+      result += key;
       result += value(node.items[i], indent + kIndent, indent + kIndent + key.size());
     }
     return result + end + (is_object ? "}" : "]");

@@ -172,7 +172,7 @@ void Renderer::render_row(const Moment& moment, int y, std::span<warp::Pixel> ou
   over_row(out, {background_[row], static_cast<std::size_t>(background_.cols)});
 }
 
-warp::Map Renderer::map(double t, SideName name) const {
+warp::Map Renderer::map(double t, SideName side_name) const {
   const warp::LineField field(field_lines(pairs_, t), 2);
   warp::Map map(size_);
   warp::for_rows(size_.height, [&](int begin, int end) {
@@ -180,9 +180,9 @@ warp::Map Renderer::map(double t, SideName name) const {
     for (int y = begin; y < end; ++y) {
       const std::span<warp::MapPoint> wanted(map[y], other.size());
       const std::span<warp::MapPoint> rest(other);
-      const bool first = name == SideName::kSource;
+      const bool first = side_name == SideName::kSource;
       field.row(y, 0, std::array<std::span<warp::MapPoint>, 2>{first ? wanted : rest, first ? rest : wanted});
-      to_image(side(name).file, wanted);
+      to_image(side(side_name).file, wanted);
     }
   });
   return map;

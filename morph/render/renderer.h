@@ -50,7 +50,7 @@ class Renderer {
   warp::Image frame(double t) const;
 
   /// Source positions for every canvas pixel at t, px of that side's image file.
-  warp::Map map(double t, SideName side) const;
+  warp::Map map(double t, SideName side_name) const;
 
  private:
   /// One picture, ready for sampling. A picture larger than its place on the canvas is reduced once, by area
