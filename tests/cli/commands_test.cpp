@@ -10,7 +10,7 @@
 #include "cli/program.h"
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
-#include "tests/cli/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "warp/color.h"
 
 namespace morphkit::test {

@@ -12,7 +12,7 @@
 
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
-#include "tests/cli/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "warp/compare.h"
 
 namespace morphkit::test {

@@ -1,8 +1,6 @@
 // Every sample, rendered the whole way from its files to 8-bit pictures, against the pictures that people have looked
 // at. Renew with scripts/renew-goldens.sh.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +17,7 @@
 #include "morph/render/renderer.h"
 #include "samples/samples.h"
 #include "samples/write.h"
+#include "tests/support/temporary_folder.h"
 #include "warp/compare.h"
 
 namespace morphkit {
@@ -63,11 +62,10 @@ class Golden : public testing::TestWithParam<std::tuple<std::string, double>> {}
 TEST_P(Golden, LooksAsItDid) {
   const auto& [sample, t] = GetParam();
   const std::string name = fmt::format("{}-{:03.0f}", sample, t * 100);
-  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("morphkit-golden-{}-{}", ::getpid(), name);
-  fs::create_directories(folder);
+  const test::TemporaryFolder folder;
   fs::create_directories(kReport);
 
-  const project::Project project = small(project::load(samples::write(samples::paint(sample), folder, true)));
+  const project::Project project = small(project::load(samples::write(samples::paint(sample), folder.path(), true)));
   const render::Renderer renderer(project, render::load_pictures(project));
   const fs::path actual_file = folder / (name + ".png");
   media::write_image(actual_file, renderer.frame(t));
@@ -104,7 +102,6 @@ TEST_P(Golden, LooksAsItDid) {
           difference.nonfinite, kReport.string());
     }
   }
-  fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -116,12 +113,10 @@ INSTANTIATE_TEST_SUITE_P(
 class SampleCheck : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleCheck, HasNoFoldsAndNothingElseToComplainOf) {
-  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("morphkit-check-{}-{}", ::getpid(), GetParam());
-  fs::create_directories(folder);
-  const project::Project project = project::load(samples::write(samples::paint(GetParam()), folder, true));
+  const test::TemporaryFolder folder;
+  const project::Project project = project::load(samples::write(samples::paint(GetParam()), folder.path(), true));
   const render::Renderer renderer(project, render::load_pictures(project));
   for (const render::Finding& finding : render::check(renderer)) ADD_FAILURE() << finding.message;
-  fs::remove_all(folder);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, SampleCheck, testing::ValuesIn(samples::names()),

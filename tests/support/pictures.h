@@ -11,7 +11,7 @@
 #include "morph/project/project.h"
 #include "morph/render/renderer.h"
 
-namespace morphkit::testing_support {
+namespace morphkit::test {
 
 /// Smooth colours with random detail; opaque unless `with_alpha`, values from below 0 to above 1 like an EXR's.
 inline warp::Image random_image(cv::Size size, unsigned seed, bool with_alpha = false) {
@@ -75,4 +75,4 @@ inline ::testing::AssertionResult same_bits(const warp::Image& a, const warp::Im
   return ::testing::AssertionSuccess();
 }
 
-}  // namespace morphkit::testing_support
+}  // namespace morphkit::test

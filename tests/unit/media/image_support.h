@@ -14,36 +14,14 @@
 
 #include "morph/error.h"
 #include "morph/media/image_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace morphkit::media::test {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-class Folder {
- public:
-  Folder() {
-    static int counter = 0;
-    path_ = fs::path(testing::TempDir()) /
-            ("morphkit_image_" + std::to_string(::getpid()) + "_" + std::to_string(counter++));
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
+using Folder = morphkit::test::TemporaryFolder;
 
 inline Bytes bytes_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -2,10 +2,9 @@
 // A folder of one's own, pictures that move, and what ffmpeg and ffprobe say of a file.
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -22,6 +21,7 @@
 
 #include "morph/error.h"
 #include "morph/media/frame_sink.h"
+#include "tests/support/temporary_folder.h"
 
 namespace morphkit::media::test {
 
@@ -29,33 +29,7 @@ namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// An empty folder that goes away with the object.
-class TempFolder {
- public:
-  TempFolder() {
-    static std::atomic<int> count{0};
-    path_ = fs::path(testing::TempDir()) / ("sink_test." + std::to_string(::getpid()) + "." + std::to_string(++count));
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  ~TempFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  const fs::path& path() const { return path_; }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::vector<std::string> names() const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(path_)) found.push_back(entry.path().filename().string());
-    std::sort(found.begin(), found.end());
-    return found;
-  }
-
- private:
-  fs::path path_;
-};
+using TempFolder = morphkit::test::TemporaryFolder;
 
 /// An environment variable set to something else for a while.
 class Environment {

@@ -8,8 +8,8 @@
 
 #include "morph/error.h"
 #include "morph/project/project.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/project/documents.h"
-#include "tests/unit/project/temporary_directory.h"
 
 namespace morphkit::project {
 namespace {
@@ -227,7 +227,7 @@ class LoadFile : public ::testing::Test {
     }
     return ErrorCode::kUsage;
   }
-  testing::TemporaryDirectory directory_;
+  test::TemporaryFolder directory_;
 };
 
 TEST_F(LoadFile, RemembersWhereItCameFrom) {

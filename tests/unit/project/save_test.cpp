@@ -11,9 +11,9 @@
 
 #include "morph/error.h"
 #include "morph/project/project.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/project/documents.h"
 #include "tests/unit/project/random_project.h"
-#include "tests/unit/project/temporary_directory.h"
 
 namespace morphkit::project {
 namespace {
@@ -245,7 +245,7 @@ class Save : public ::testing::Test {
     }
     return ErrorCode::kUsage;
   }
-  testing::TemporaryDirectory directory_;
+  test::TemporaryFolder directory_;
 };
 
 TEST_F(Save, WritesTheTextAndNothingElse) {

@@ -7,11 +7,11 @@
 namespace morphkit::render {
 namespace {
 
-using testing_support::line;
-using testing_support::pictures;
-using testing_support::point;
-using testing_support::random_image;
-using testing_support::small_project;
+using test::line;
+using test::pictures;
+using test::point;
+using test::random_image;
+using test::small_project;
 
 std::vector<Finding> findings(const project::Project& project) {
   return check(Renderer(project, pictures(random_image({96, 64}, 1), random_image({96, 64}, 2))));

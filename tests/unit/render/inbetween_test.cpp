@@ -11,8 +11,8 @@
 namespace morphkit::render {
 namespace {
 
-using testing_support::line;
-using testing_support::small_project;
+using test::line;
+using test::small_project;
 
 double length(const warp::Line& l) {
   return std::hypot(l.q.x - l.p.x, l.q.y - l.p.y);

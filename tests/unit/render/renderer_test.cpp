@@ -10,11 +10,11 @@
 namespace morphkit::render {
 namespace {
 
-using testing_support::line;
-using testing_support::pictures;
-using testing_support::random_image;
-using testing_support::same_bits;
-using testing_support::small_project;
+using test::line;
+using test::pictures;
+using test::random_image;
+using test::same_bits;
+using test::small_project;
 
 const cv::Size kSize(96, 64);
 

@@ -14,10 +14,10 @@
 namespace morphkit::render {
 namespace {
 
-using testing_support::pictures;
-using testing_support::random_image;
-using testing_support::same_bits;
-using testing_support::small_project;
+using test::pictures;
+using test::random_image;
+using test::same_bits;
+using test::small_project;
 
 /// Keeps frames in memory and watches how it is called.
 class MemorySink : public media::FrameSink {
