@@ -208,7 +208,8 @@ void fill_channels(const FieldTables& tables, int begin, const Block<kChannels>&
       spread[i] = in_pixels && largest > spread[i] ? largest : spread[i];
     }
   }
-  const auto sums = static_cast<double>(kLineChunk + tables.padded() / kLineChunk + 3);
+  const auto chunks = tables.padded() / kLineChunk;
+  const auto sums = static_cast<double>(kLineChunk + chunks + 3);
   for (size_t i = 0; i < kLineChunk; ++i) {
     const double units = 2 * (10 * tables.b[static_cast<size_t>(begin) + i] + 8) + 2 * sums + 6;
     chunk.error[i] = static_cast<float>(kUnitRoundoff * units * spread[i]);
