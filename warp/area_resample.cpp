@@ -1,7 +1,6 @@
 #include "warp/area_resample.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -75,10 +74,6 @@ void reference_resample_line(std::span<const Pixel> source, const LineEdges& lin
     const double covered = coverage(line, k);
     if (covered < 1) out[k] *= static_cast<float>(covered);
   }
-}
-
-void resample_line(std::span<const Pixel> source, const LineEdges& line, std::span<Pixel> out) noexcept {
-  reference_resample_line(source, line, out);
 }
 
 }  // namespace morphkit::warp
