@@ -1,5 +1,7 @@
 #include "morph/project/build.h"
 
+#include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -118,9 +120,44 @@ Node side_node(const Side& side) {
   return object.take();
 }
 
+Node integers_node(std::initializer_list<int> values) {
+  Node node = Node::array();
+  for (const int value : values) node.push(Node::of_number(value));
+  return node;
+}
+
+Node vertices_node(const std::vector<cv::Point2d>& vertices, int columns) {
+  if (vertices.empty()) return Node::string("uniform");
+  Node node = points_node(vertices);
+  node.per_line = static_cast<std::size_t>(columns);
+  return node;
+}
+
+Node mesh_group_node(const MeshGroup& group, bool defaults) {
+  Node vertices = Node::array();
+  for (const cv::Point& vertex : group.vertices) vertices.push(integers_node({vertex.x, vertex.y}));
+  ObjectBuilder object(defaults);
+  object.always("group", Node::string(group.group));
+  object.always("vertices", std::move(vertices));
+  return object.take();
+}
+
+Node mesh_node(const Mesh& mesh, bool defaults) {
+  ObjectBuilder object(defaults);
+  object.always("size", integers_node({mesh.columns, mesh.rows}));
+  object.unless(mesh.source.empty(), "source", vertices_node(mesh.source, mesh.columns));
+  object.unless(mesh.destination.empty(), "destination", vertices_node(mesh.destination, mesh.columns));
+  object.unless(mesh.groups.empty(), "groups", list_node(mesh.groups, mesh_group_node, defaults));
+  Node node = object.take();
+  node.expand = true;
+  return node;
+}
+
 ObjectBuilder warp_object(const Project& project, bool defaults) {
   ObjectBuilder warp(defaults);
-  warp.unless(project.warp.method == Warp{}.method, "method", Node::string(project.warp.method));
+  if (project.warp.method) warp.always("method", named(kMethods, *project.warp.method));
+  warp.unless(project.warp.spline == Warp{}.spline, "spline", named(kMeshSplines, project.warp.spline));
+  warp.unless(project.warp.order == Warp{}.order, "order", named(kPassOrders, project.warp.order));
   add_warp_influence(warp, project.influence);
   warp.unless(project.warp.filter == Warp{}.filter, "filter", named(kFilters, project.warp.filter));
   warp.unless(!project.warp.border, "border", named(kBorders, project.warp.border));
@@ -130,12 +167,7 @@ ObjectBuilder warp_object(const Project& project, bool defaults) {
 ObjectBuilder output_object(const Output& output, bool defaults) {
   const Output usual;
   ObjectBuilder object(defaults);
-  if (output.size) {
-    Node size = Node::array();
-    size.push(Node::of_number(output.size->width));
-    size.push(Node::of_number(output.size->height));
-    object.always("size", std::move(size));
-  }
+  if (output.size) object.always("size", integers_node({output.size->width, output.size->height}));
   object.unless(output.fit == usual.fit, "fit", named(kFits, output.fit));
   object.unless(output.frames == usual.frames, "frames", Node::of_number(output.frames));
   object.unless(output.start == usual.start, "start", Node::of_number(output.start));
@@ -158,6 +190,7 @@ json::Node build(const Project& project, bool defaults) {
   root.always("destination", side_node(project.destination));
   root.unless(project.groups.empty(), "groups", list_node(project.groups, group_node, defaults));
   root.unless(project.features.empty(), "features", list_node(project.features, feature_node, defaults));
+  if (project.mesh) root.always("mesh", mesh_node(*project.mesh, defaults));
   root.object("warp", warp_object(project, defaults));
   root.object("transition", std::move(transition));
   root.object("output", output_object(project.output, defaults));

@@ -27,6 +27,8 @@ struct Node {
   bool fresh = true;
   /// Laid out one item per line, however short.
   bool expand = false;
+  /// An array laid out with so many items on each line, however long; 0: as many as fit.
+  std::size_t per_line = 0;
   /// A located container of the original text whose spacing this one imitates; must outlive it.
   const Node* model = nullptr;
 

@@ -98,7 +98,7 @@ class Writer {
     if (!node.is_container()) return scalar(node);
     if (node.items.empty()) return node.is(Kind::kArray) ? "[]" : "{}";
     if (node.model && !node.model->items.empty()) return imitated(node, indent);
-    if (!node.expand) {
+    if (!node.expand && node.per_line == 0) {
       std::string line = flat(node);
       if (column + line.size() < kColumns && line.find('\n') == std::string::npos) return line;
     }
@@ -127,7 +127,9 @@ class Writer {
     std::size_t position = node.begin;
     for (const Node& item : node.items) {
       result += piece(position, item.begin);
-      result += value(item, indent_at(item.begin), column_at(item.begin));
+      // Looking for the start of the line costs its length: done only where something is laid out anew.
+      const bool laid_out = item.fresh && item.is_container();
+      result += laid_out ? value(item, indent_at(item.begin), column_at(item.begin)) : value(item, 0, 0);
       position = item.end;
     }
     return result + piece(position, node.end);
@@ -185,14 +187,14 @@ class Writer {
     return result + end + (is_object ? "}" : "]");
   }
 
-  /// As many items on a line as fit: long lists of points.
+  /// As many items on a line as are wanted or fit: rows of a mesh, long lists of points.
   std::string filled(const Node& node, const std::string& start) const {
     std::string result;
     std::size_t column = start.size() - 1;
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const std::string item = flat(node.items[i]);
       if (i > 0) {
-        const bool fits = column + item.size() + 3 <= kColumns;
+        const bool fits = node.per_line > 0 ? i % node.per_line != 0 : column + item.size() + 3 <= kColumns;
         result += fits ? ", " : "," + start;
         column = fits ? column + 2 : start.size() - 1;
       }

@@ -20,6 +20,12 @@ void take_place(Node& node, const Node& original) {
   node.end = original.end;
 }
 
+/// The name by which an item of a list is known: of a feature or a group its id, of vertices their group.
+std::string_view identity(const Node& item) {
+  const Node* id = item.find("id");
+  return id ? id->text : item.find("group")->text;
+}
+
 class Merger {
  public:
   explicit Merger(const Document& document) : document_(document) {}
@@ -98,6 +104,8 @@ class Merger {
 
   /// Items that belong together by their index: points, coordinates, colour channels.
   Node array(const Node& original, const Node& full, const Node& minimal) const {
+    // The rows of another mesh have another length: nothing of the old lines is worth keeping.
+    if (full.per_line > 0 && full.items.size() != original.items.size()) return minimal;
     Node result = Node::array();
     for (std::size_t i = 0; i < full.items.size(); ++i) {
       const bool both = i < minimal.items.size();
@@ -113,14 +121,14 @@ class Merger {
   /// one that stood in its place.
   Node list(const Node& original, const Node& full, const Node& minimal) const {
     std::map<std::string_view, std::size_t> by_id, wanted;
-    for (std::size_t i = 0; i < original.items.size(); ++i) by_id.emplace(original.items[i].find("id")->text, i);
-    for (std::size_t i = 0; i < full.items.size(); ++i) wanted.emplace(full.items[i].find("id")->text, i);
+    for (std::size_t i = 0; i < original.items.size(); ++i) by_id.emplace(identity(original.items[i]), i);
+    for (std::size_t i = 0; i < full.items.size(); ++i) wanted.emplace(identity(full.items[i]), i);
     Node result = Node::array();
     bool same_order = full.items.size() == original.items.size();
     for (std::size_t i = 0; i < full.items.size(); ++i) {
-      const auto found = by_id.find(full.items[i].find("id")->text);
+      const auto found = by_id.find(identity(full.items[i]));
       const bool renamed =
-          found == by_id.end() && i < original.items.size() && !wanted.contains(original.items[i].find("id")->text);
+          found == by_id.end() && i < original.items.size() && !wanted.contains(identity(original.items[i]));
       if (found == by_id.end() && !renamed) {
         result.push(minimal.items[i]);
         same_order = false;

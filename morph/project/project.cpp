@@ -1,5 +1,7 @@
 #include "morph/project/project.h"
 
+#include <algorithm>
+
 namespace morphkit::project {
 namespace {
 
@@ -42,18 +44,31 @@ Influence effective(const Project& project) {
   return result;
 }
 
-Influence effective(const Project& project, const Feature& feature) {
-  Influence result = feature.influence;
-  for (const Group& group : project.groups) {
-    if (!feature.group.empty() && group.id == feature.group) fall_back(result, group.influence);
+Influence effective(const Project& project, const std::string& group) {
+  Influence result;
+  if (!group.empty()) {
+    const auto found = std::ranges::find(project.groups, group, &Group::id);
+    if (found != project.groups.end()) result = found->influence;
   }
   fall_back(result, effective(project));
   return result;
 }
 
+Influence effective(const Project& project, const Feature& feature) {
+  Influence result = feature.influence;
+  fall_back(result, effective(project, feature.group));
+  return result;
+}
+
+Method method_of(const Project& project) {
+  const bool mesh_alone = project.mesh && project.features.empty();
+  return project.warp.method.value_or(mesh_alone ? Method::kMesh : Method::kLines);
+}
+
 bool same_document(const Project& a, const Project& b) {
   return a.source == b.source && a.destination == b.destination && a.features == b.features && a.groups == b.groups &&
-         a.warp == b.warp && a.influence == b.influence && a.blend == b.blend && a.output == b.output;
+         a.mesh == b.mesh && a.warp == b.warp && a.influence == b.influence && a.blend == b.blend &&
+         a.output == b.output;
 }
 
 }  // namespace morphkit::project

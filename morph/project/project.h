@@ -15,6 +15,7 @@
 #include "morph/motion/curve.h"
 #include "morph/motion/easing.h"
 #include "warp/line_field.h"
+#include "warp/mesh_warp.h"
 #include "warp/sample.h"
 
 namespace morphkit::project {
@@ -63,8 +64,31 @@ struct Side {
   bool operator==(const Side&) const = default;
 };
 
+/// Vertices of the mesh that are timed with a group.
+struct MeshGroup {
+  std::string group;                ///< id of a group
+  std::vector<cv::Point> vertices;  ///< (column, row); a vertex is in one group at most
+  bool operator==(const MeshGroup&) const = default;
+};
+
+/// A grid on both pictures, vertex to vertex, row by row, in pixels of the image of each side.
+struct Mesh {
+  int columns = 0, rows = 0;             ///< vertices in a row and in a column, >= 2
+  std::vector<cv::Point2d> source;       ///< columns * rows, or empty: evenly spaced over the picture
+  std::vector<cv::Point2d> destination;  ///< likewise
+  std::vector<MeshGroup> groups;
+  bool operator==(const Mesh&) const = default;
+};
+
+enum class Method {
+  kLines,  ///< the features pull (Beier and Neely)
+  kMesh    ///< the mesh, in two passes
+};
+
 struct Warp {
-  std::string method = "lines";
+  std::optional<Method> method;                           ///< nothing: see method_of
+  warp::MeshSpline spline = warp::MeshSpline::kMonotone;  ///< kMesh only
+  warp::PassOrder order = warp::PassOrder::kAuto;         ///< kMesh only
   warp::Filter filter = warp::Filter::kBicubic;
   /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
   std::optional<warp::Border> border;
@@ -103,6 +127,7 @@ struct Project {
   Side source, destination;
   std::vector<Feature> features;
   std::vector<Group> groups;
+  std::optional<Mesh> mesh;
   Warp warp;
   Influence influence;  ///< "warp" (a, b, p, scale, between, turns) and "transition" (shape, dissolve) of the project
   Blend blend = Blend::kLinear;
@@ -117,12 +142,18 @@ struct Project {
 /// Whether both say the same; where they were loaded from and how it was spelled does not count.
 bool same_document(const Project& a, const Project& b);
 
+/// How the project warps: as it says; if it says nothing, by its mesh if it has a mesh and no features, else by lines.
+Method method_of(const Project& project);
+
 /// A path of the document (an image) as seen from the current directory.
 std::filesystem::path resolve(const Project& project, const std::filesystem::path& path);
 
 /// Everything that applies to `feature`, resolved through its group and the project to the defaults: no member is
 /// empty.
 Influence effective(const Project& project, const Feature& feature);
+
+/// Everything that applies to what is in the group `id` (empty: in none), resolved likewise.
+Influence effective(const Project& project, const std::string& group);
 
 /// Of the project itself, resolved to the defaults.
 Influence effective(const Project& project);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "morph/project/limits.h"
+#include "morph/project/read_parts.h"
 #include "morph/project/values.h"
 
 namespace morphkit::project {
@@ -46,19 +47,6 @@ Influence read_influence(const Cursor& at) {
     read_transition_influence(*transition, influence);
   }
   return influence;
-}
-
-cv::Point2d read_point(const Cursor& at) {
-  at.expect_array(2, 2, "a point [x, y] in pixels");
-  return {at.item(0).number(-kMaxCoordinate, kMaxCoordinate), at.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
-}
-
-Points read_points(const Cursor& at, std::size_t least, std::size_t most, const std::string& what) {
-  at.expect_array(least, most, what);
-  Points points;
-  points.reserve(at.size());
-  for (std::size_t i = 0; i < at.size(); ++i) points.push_back(read_point(at.item(i)));
-  return points;
 }
 
 constexpr const char* kBothSides = "a feature needs its place on both sides";
@@ -146,18 +134,10 @@ std::vector<T> read_list(const Cursor& root, const char* key, T (*read)(const Cu
 }
 
 void check_groups(const Cursor& root, const std::vector<Feature>& features, const std::vector<Group>& groups) {
-  std::set<std::string_view> known;
-  for (const Group& group : groups) known.insert(group.id);
+  const std::set<std::string_view> known = group_ids(groups);
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const std::string& group = features[i].group;
-    if (group.empty() || known.contains(group)) continue;
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    const auto meant = nearest(group, names);
-    root.find("features")
-        ->item(i)
-        .find("group")
-        ->fail(fmt::format("no group has the id {}; {}", json::shown(group),
-                           meant ? fmt::format("did you mean {}?", json::shown(*meant)) : "add it to \"groups\""));
+    if (features[i].group.empty()) continue;
+    check_group(*root.find("features")->item(i).find("group"), features[i].group, known);
   }
 }
 
@@ -171,13 +151,31 @@ Side read_side(const Cursor& at) {
 }
 
 void read_warp(const Cursor& at, Project& project) {
-  at.allow_keys({"method", "a", "b", "p", "scale", "between", "turns", "filter", "border"});
-  if (const auto method = at.find("method"); method && method->string() != "lines") {
-    method->fail(fmt::format("the method {} is not known; expected \"lines\"", json::shown(method->string())));
-  }
+  at.allow_keys({"method", "spline", "order", "a", "b", "p", "scale", "between", "turns", "filter", "border"});
+  if (const auto method = at.find("method")) project.warp.method = choose(*method, "method", kMethods);
+  if (const auto spline = at.find("spline")) project.warp.spline = choose(*spline, "spline", kMeshSplines);
+  if (const auto order = at.find("order")) project.warp.order = choose(*order, "order", kPassOrders);
   if (const auto filter = at.find("filter")) project.warp.filter = choose(*filter, "filter", kFilters);
   if (const auto border = at.find("border")) project.warp.border = choose(*border, "border", kBorders);
   read_warp_influence(at, project.influence);
+}
+
+/// What warp and mesh must agree on.
+void check_method(const Cursor& root, const Project& project) {
+  // The setting may come from elsewhere than this document (read_features_over).
+  const auto place = [&](const char* key) {
+    const auto warp = root.find("warp");
+    const auto setting = warp ? warp->find(key) : std::nullopt;
+    return setting ? *setting : root;
+  };
+  if (method_of(project) != Method::kMesh) return;
+  if (!project.mesh) {
+    place("method").fail(
+        R"(the method "mesh" needs a mesh; add "mesh": {"size": [columns, rows], "source": ..., "destination": ...})");
+  }
+  if (project.warp.border == warp::Border::kMirror) {
+    place("border").fail(R"(the method "mesh" cannot mirror; expected the border "auto", "transparent" or "clamp")");
+  }
 }
 
 void read_transition(const Cursor& at, Project& project) {
@@ -220,7 +218,7 @@ void check_version(const Cursor& root) {
   if (value > 1)
     version.fail(fmt::format("version {} is newer than this program, which reads version 1", json::number_text(value)));
   if (value != 1) version.fail(fmt::format("there is no version {}; expected 1", json::number_text(value)));
-  root.allow_keys({"morphkit", "source", "destination", "groups", "features", "warp", "transition", "output"});
+  root.allow_keys({"morphkit", "source", "destination", "groups", "features", "mesh", "warp", "transition", "output"});
 }
 
 }  // namespace
@@ -234,16 +232,20 @@ Project read_project(const Document& document) {
   project.groups = read_list(root, "groups", read_group);
   project.features = read_list(root, "features", read_feature);
   check_groups(root, project.features, project.groups);
+  if (const auto mesh = root.find("mesh")) project.mesh = read_mesh(*mesh, project.groups);
   if (const auto warp = root.find("warp")) read_warp(*warp, project);
   if (const auto transition = root.find("transition")) read_transition(*transition, project);
   if (const auto output = root.find("output")) project.output = read_output(*output);
+  check_method(root, project);
   return project;
 }
 
 void read_features_over(Project& project, const Document& document) {
   const Cursor root(document);
   check_version(root);
-  root.require("features", "this file is asked for its features");
+  if (!root.find("features") && !root.find("mesh")) {
+    root.fail("this file is asked for what corresponds; it has neither \"features\" nor a \"mesh\"");
+  }
   // What is not taken over is checked all the same: a file is good or bad whatever it is used for.
   for (const char* side : {"source", "destination"}) {
     if (const auto at = root.find(side)) read_side(*at);
@@ -253,8 +255,11 @@ void read_features_over(Project& project, const Document& document) {
   result.groups = read_list(root, "groups", read_group);
   result.features = read_list(root, "features", read_feature);
   check_groups(root, result.features, result.groups);
+  result.mesh.reset();
+  if (const auto mesh = root.find("mesh")) result.mesh = read_mesh(*mesh, result.groups);
   if (const auto warp = root.find("warp")) read_warp(*warp, result);
   if (const auto transition = root.find("transition")) read_transition(*transition, result);
+  check_method(root, result);
   project = std::move(result);
 }
 

@@ -9,8 +9,8 @@ namespace morphkit::project {
 /// @throws Error kBadInput.
 Project read_project(const Document& document);
 
-/// Replaces features and groups of `project` by those of the document, and the settings of warp and transition where
-/// the document has them. @throws Error kBadInput; `project` is then unchanged.
+/// Replaces features, mesh and groups of `project` by those of the document, and the settings of warp and transition
+/// where the document has them. @throws Error kBadInput; `project` is then unchanged.
 void read_features_over(Project& project, const Document& document);
 
 }  // namespace morphkit::project

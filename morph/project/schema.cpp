@@ -26,11 +26,31 @@ constexpr const char* kRoot = R"json({
       "type": "array", "maxItems": 100000, "items": {"$ref": "#/$defs/feature"},
       "description": "What corresponds to what."
     },
+    "mesh": {
+      "type": "object",
+      "required": ["size"],
+      "additionalProperties": false,
+      "properties": {
+        "size": {
+          "type": "array", "prefixItems": [{"$ref": "#/$defs/count"}, {"$ref": "#/$defs/count"}], "minItems": 2, "maxItems": 2,
+          "description": "Columns and rows: the number of vertices in a row and in a column, together at most 500000."
+        },
+        "source": {"$ref": "#/$defs/vertices", "description": "Where the vertices lie on the source picture."},
+        "destination": {"$ref": "#/$defs/vertices", "description": "Where the same vertices lie on the destination picture."},
+        "groups": {
+          "type": "array", "maxItems": 100000, "items": {"$ref": "#/$defs/meshGroup"},
+          "description": "Vertices that are timed with a group."
+        }
+      },
+      "description": "A grid laid over both pictures; its vertices correspond one to one. Those at the border lie on the border of the picture."
+    },
     "warp": {
       "type": "object",
       "additionalProperties": false,
       "properties": {
-        "method": {"enum": ["lines"], "description": "How space is bent. Default: lines."},
+        "method": {"enum": ["lines", "mesh"], "description": "How space is bent. Default: mesh if there is a mesh and no feature, else lines."},
+        "spline": {"enum": ["monotone", "catmull-rom", "linear"], "description": "The curves through the vertices of the mesh. Default: monotone."},
+        "order": {"enum": ["auto", "rows-first", "columns-first"], "description": "The direction in which the mesh moves pixels first. Default: auto, that is the one that keeps more of the picture."},
         "a": {"$ref": "#/$defs/a"},
         "b": {"$ref": "#/$defs/b"},
         "p": {"$ref": "#/$defs/p"},
@@ -87,10 +107,32 @@ constexpr const char* kDefinitions = R"json(  "$defs": {
     "name": {"type": "string", "minLength": 1},
     "coordinate": {"type": "number", "minimum": -1000000, "maximum": 1000000},
     "fraction": {"type": "number", "minimum": 0, "maximum": 1},
+    "count": {"type": "integer", "minimum": 2, "maximum": 1000},
+    "index": {"type": "integer", "minimum": 0, "maximum": 999},
     "extent": {"type": "integer", "minimum": 1, "maximum": 65536},
     "xy": {"type": "array", "prefixItems": [{"$ref": "#/$defs/coordinate"}, {"$ref": "#/$defs/coordinate"}], "minItems": 2, "maxItems": 2},
     "ends": {"type": "array", "items": {"$ref": "#/$defs/xy"}, "minItems": 2, "maxItems": 2},
     "points": {"type": "array", "items": {"$ref": "#/$defs/xy"}, "minItems": 2, "maxItems": 100000},
+    "vertices": {
+      "anyOf": [
+        {"enum": ["uniform"]},
+        {"type": "array", "items": {"$ref": "#/$defs/xy"}, "minItems": 4, "maxItems": 500000}
+      ],
+      "description": "Row by row from the top left, each row from the left; or evenly spaced over the picture. Default: uniform."
+    },
+    "meshGroup": {
+      "type": "object",
+      "required": ["group", "vertices"],
+      "additionalProperties": false,
+      "properties": {
+        "group": {"$ref": "#/$defs/name", "description": "Id of a group whose settings apply."},
+        "vertices": {
+          "type": "array", "maxItems": 500000,
+          "items": {"type": "array", "prefixItems": [{"$ref": "#/$defs/index"}, {"$ref": "#/$defs/index"}], "minItems": 2, "maxItems": 2},
+          "description": "[column, row] of each, counted from 0. A vertex is in one group at most."
+        }
+      }
+    },
     "a": {"type": "number", "minimum": 0, "maximum": 1000000, "description": "Pixels. 0: what lies on a feature follows it exactly; more: softer. Default: 1."},
     "b": {"type": "number", "minimum": 0, "maximum": 8, "description": "How fast the pull of a feature falls with distance. Default: 2."},
     "p": {"type": "number", "minimum": 0, "maximum": 1, "description": "How much more longer features pull. Default: 0."},

@@ -11,6 +11,15 @@
 
 namespace morphkit::project {
 
+inline constexpr std::pair<std::string_view, Method> kMethods[] = {{"lines", Method::kLines}, {"mesh", Method::kMesh}};
+inline constexpr std::pair<std::string_view, warp::MeshSpline> kMeshSplines[] = {
+    {"monotone", warp::MeshSpline::kMonotone},
+    {"catmull-rom", warp::MeshSpline::kCatmullRom},
+    {"linear", warp::MeshSpline::kLinear}};
+inline constexpr std::pair<std::string_view, warp::PassOrder> kPassOrders[] = {
+    {"auto", warp::PassOrder::kAuto},
+    {"rows-first", warp::PassOrder::kRowsFirst},
+    {"columns-first", warp::PassOrder::kColumnsFirst}};
 inline constexpr std::pair<std::string_view, warp::LineScale> kScales[] = {{"along", warp::LineScale::kAlong},
                                                                            {"uniform", warp::LineScale::kUniform}};
 inline constexpr std::pair<std::string_view, Between> kBetweens[] = {{"endpoints", Between::kEndpoints},

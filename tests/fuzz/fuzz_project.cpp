@@ -26,6 +26,8 @@ void change(project::Project& project) {
   project.influence.b = 1.25;
   project.output.background = project::Color{0.5, 0, 0, 1};
   if (!project.features.empty()) project.features.pop_back();
+  if (project.mesh && !project.mesh->source.empty()) project.mesh->source.back() = {7.5, 8};
+  if (project.mesh && !project.mesh->groups.empty()) project.mesh->groups.pop_back();
   if (!project.groups.empty()) project.groups.front().influence.shape = morphkit::motion::Timing{};
 }
 

@@ -27,6 +27,10 @@ inline std::string with_output(const std::string& output) {
   return with(R"("output": {)" + output + "}");
 }
 
+inline std::string with_mesh(const std::string& mesh) {
+  return with(R"("groups": [{"id": "g"}, {"id": "h"}], "mesh": {)" + mesh + "}");
+}
+
 /// Everything at once, laid out by hand.
 inline constexpr const char* kFull = R"({
   "morphkit": 1,
@@ -49,6 +53,27 @@ inline constexpr const char* kFull = R"({
   "transition": {"blend": "linear", "dissolve": "linear",
                  "shape": {"ease": "keys", "keys": [[0, 0], [0.4, 0.9, 0.1], [1, 1]]}},
   "output": {"fps": "24", "frames": 48, "size": [1280, 720], "background": "#FFffFF"}
+}
+)";
+
+/// A mesh among other things, laid out by hand.
+inline constexpr const char* kMesh = R"({
+  "morphkit": 1,
+  "source": {"image": "cat.png"}, "destination": {"image": "tiger.png"},
+  "groups": [{"id": "face", "transition": {"shape": "sine"}}, {"id": "rim"}],
+  "mesh": {
+    "size": [3, 2],
+    "destination": "uniform",
+    "source": [
+      [0, 0],   [320.0, 0],   [640, 0],
+      [0, 480], [300.5, 480], [640, 480]
+    ],
+    "groups": [
+      {"group": "rim", "vertices": [[0, 0], [2, 1]]},
+      {"vertices": [[1, 0]], "group": "face"}
+    ]
+  },
+  "warp": {"method": "mesh", "spline": "monotone", "order": "rows-first"}
 }
 )";
 
@@ -81,6 +106,14 @@ inline std::vector<std::string> good_documents() {
       with_shape(R"({"ease": "keys", "keys": [[0, 0], [1, 1]]})"),
       with(R"("transition": {"blend": "display", "dissolve": "parabolic"})"),
       with(R"("warp": {"filter": "nearest", "border": "mirror"})"),
+      kMesh,
+      with_mesh(R"("size": [2, 1000])"),
+      with_mesh(
+          R"("size": [2, 2], "source": "uniform", "destination": [[0, 0], [9, 0], [0, 9], [9, 9]], "groups": [])"),
+      with_mesh(R"("size": [3, 3], "groups": [{"group": "h", "vertices": [[2, 2]]}, {"group": "g", "vertices": []}])"),
+      with(R"("mesh": {"size": [2, 2]}, "warp": {"method": "lines", "border": "mirror", "spline": "linear"})"),
+      with(
+          R"("mesh": {"size": [2, 2]}, "warp": {"method": "mesh", "spline": "catmull-rom", "order": "columns-first"})"),
       with_output(R"("size": [1, 65536], "fit": "none", "frames": 10000000, "start": 0)"),
       with_output(R"("fps": 29.97, "background": "transparent")"),
       with_output(R"("fps": "30000/1001", "background": "#20406080")"),
@@ -153,7 +186,32 @@ inline std::vector<Bad> structurally_bad_documents() {
       {with_line(R"("transition": {"blend": "linear"})"), f0 + "/transition/blend", "unknown key"},
       {with(R"("groups": [{}])"), "/groups/0", "\"id\" is missing"},
       {with(R"("groups": [{"id": "g", "warp": {"a": -1}}])"), "/groups/0/warp/a", "expected 0 to 1000000"},
-      {with(R"("warp": {"method": "mesh"})"), "/warp/method", "expected \"lines\""},
+      {with(R"("warp": {"method": "fields"})"), "/warp/method", "expected one of \"lines\", \"mesh\""},
+      {with(R"("warp": {"spline": "cubic"})"), "/warp/spline", "expected one of"},
+      {with(R"("warp": {"order": "row-first"})"), "/warp/order", "did you mean \"rows-first\"?"},
+      {with_line(R"("warp": {"spline": "linear"})"), f0 + "/warp/spline", "unknown key"},
+      {with(R"("mesh": [])"), "/mesh", "expected an object"},
+      {with_mesh(""), "/mesh", "\"size\" is missing"},
+      {with_mesh(R"("size": 4)"), "/mesh/size", "[columns, rows]"},
+      {with_mesh(R"("size": [4, 1])"), "/mesh/size/1", "2 to 1000"},
+      {with_mesh(R"("size": [1001, 4])"), "/mesh/size/0", "2 to 1000"},
+      {with_mesh(R"("size": [4, 2.5])"), "/mesh/size/1", "a whole number"},
+      {with_mesh(R"("size": [2, 2], "vertices": [])"), "/mesh/vertices", "unknown key"},
+      {with_mesh(R"("size": [2, 2], "source": "even")"), "/mesh/source", "or \"uniform\", found the string \"even\""},
+      {with_mesh(R"("size": [2, 2], "destination": {})"), "/mesh/destination", "expected 4 vertices"},
+      {with_mesh(R"("size": [2, 2], "source": [[0, 0], [9, 0], [0, 9]])"), "/mesh/source",
+       "expected 4 vertices [x, y] (2 columns x 2 rows, row by row), found an array of 3"},
+      {with_mesh(R"("size": [2, 2], "source": [[0, 0], [9, 0], [0, 9], [9]])"), "/mesh/source/3", "a point [x, y]"},
+      {with_mesh(R"("size": [2, 2], "source": [[0, 0], [9, 0], [0, 9], [9, 1e7]])"), "/mesh/source/3/1",
+       "-1000000 to 1000000"},
+      {with_mesh(R"("size": [2, 2], "groups": {})"), "/mesh/groups", "an array of at most"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"group": "g"}])"), "/mesh/groups/0", "\"vertices\" is missing"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"vertices": []}])"), "/mesh/groups/0", "\"group\" is missing"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"id": "g", "vertices": []}])"), "/mesh/groups/0/id", "unknown key"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"group": "g", "vertices": [0, 1]}])"), "/mesh/groups/0/vertices/0",
+       "a vertex [column, row]"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"group": "g", "vertices": [[0, -1]]}])"), "/mesh/groups/0/vertices/0/1",
+       "0 to 1"},
       {with(R"("warp": {"b": 8.5})"), "/warp/b", "expected 0 to 8"},
       {with(R"("warp": {"p": 2})"), "/warp/p", "expected 0 to 1"},
       {with(R"("warp": {"turns": 0.5})"), "/warp/turns", "a whole number"},

@@ -18,6 +18,7 @@ using testing::Bad;
 using testing::with;
 using testing::with_feature;
 using testing::with_line;
+using testing::with_mesh;
 using testing::with_output;
 using testing::with_shape;
 
@@ -77,6 +78,31 @@ TEST(Load, EverythingThatAProjectCanSay) {
   EXPECT_EQ(project.influence.shape, (motion::Timing{keys, 0, 1}));
   EXPECT_EQ(project.output.size, cv::Size(1280, 720));
   EXPECT_EQ(project.output.background, (Background{Color{1, 1, 1, 1}}));
+}
+
+TEST(Load, AMesh) {
+  const Project project = parse(testing::kMesh, "pair.json");
+  ASSERT_TRUE(project.mesh);
+  EXPECT_EQ(project.mesh->columns, 3);
+  EXPECT_EQ(project.mesh->rows, 2);
+  EXPECT_EQ(project.mesh->source,
+            (std::vector<cv::Point2d>{{0, 0}, {320, 0}, {640, 0}, {0, 480}, {300.5, 480}, {640, 480}}));
+  EXPECT_TRUE(project.mesh->destination.empty());
+  EXPECT_EQ(project.mesh->groups, (std::vector<MeshGroup>{{"rim", {{0, 0}, {2, 1}}}, {"face", {{1, 0}}}}));
+  EXPECT_EQ(project.warp.method, Method::kMesh);
+  EXPECT_EQ(project.warp.spline, warp::MeshSpline::kMonotone);
+  EXPECT_EQ(project.warp.order, warp::PassOrder::kRowsFirst);
+}
+
+TEST(Load, TheMethodIsAsTheProjectSaysOrHas) {
+  const std::string features = R"(, "features": [{"id": "x", "point": {"source": [0, 0], "destination": [0, 0]}}])";
+  const std::string mesh = R"("mesh": {"size": [2, 2]})";
+  const auto method = [](const std::string& more) { return method_of(parse(with(more), "")); };
+  EXPECT_EQ(method(""), Method::kLines);
+  EXPECT_EQ(method(mesh), Method::kMesh);
+  EXPECT_EQ(method(mesh + features), Method::kLines);
+  EXPECT_EQ(method(mesh + features + R"(, "warp": {"method": "mesh"})"), Method::kMesh);
+  EXPECT_EQ(method(mesh + R"(, "warp": {"method": "lines"})"), Method::kLines);
 }
 
 TEST(Load, TheSmallestProjectHasTheDefaults) {
@@ -168,6 +194,25 @@ TEST(Load, WrongMeaningNamesThePlace) {
        "/features/0/point/source/1", "\"1e999\" is too large"},
       {with_feature(R"({"id": "a\u0000b"})"), "/features/0/id", "a control character"},
       {with(R"("a/b~c": 1)"), "/a~1b~0c", "unknown key"},
+      {with(R"("warp": {"method": "mesh"})"), "/warp/method", "needs a mesh; add \"mesh\": {\"size\""},
+      {with(R"("mesh": {"size": [2, 2]}, "warp": {"border": "mirror"})"), "/warp/border", "cannot mirror"},
+      {with(R"("features": [)" + line +
+            R"(], "mesh": {"size": [2, 2]}, "warp": {"method": "mesh", "border": "mirror"})"),
+       "/warp/border", "expected the border \"auto\""},
+      {with_mesh(R"("size": [1000, 501])"), "/mesh/size", "1000 x 501 is more than 500000 vertices"},
+      {with_mesh(R"("size": [2, 2], "source": [[0, 0], [9, 0], [0, 9], [9, 9], [0, 0]])"), "/mesh/source",
+       "expected 4 vertices [x, y] (2 columns x 2 rows, row by row), found an array of 5"},
+      {with_mesh(R"("size": [3, 2], "groups": [{"group": "g", "vertices": [[0, 1], [2, 2]]}])"),
+       "/mesh/groups/0/vertices/1/1", "0 to 1"},
+      {with_mesh(R"("size": [3, 2], "groups": [{"group": "g", "vertices": [[3, 0]]}])"), "/mesh/groups/0/vertices/0/0",
+       "0 to 2"},
+      {with_mesh(R"("size": [2, 2], "groups": [{"group": "gg", "vertices": []}])"), "/mesh/groups/0/group",
+       "no group has the id \"gg\"; add it to \"groups\""},
+      {with_mesh(R"("size": [2, 2], "groups": [{"group": "g", "vertices": []}, {"group": "g", "vertices": []}])"),
+       "/mesh/groups/1/group", "list them all together"},
+      {with_mesh(
+           R"("size": [2, 2], "groups": [{"group": "g", "vertices": [[1, 0]]}, {"group": "h", "vertices": [[0, 0], [1, 0]]}])"),
+       "/mesh/groups/1/vertices/1", "[1, 0] is in the group \"g\" already"},
   };
   for (const Bad& bad : table) expect_bad(bad);
 }
@@ -271,6 +316,28 @@ TEST_F(LoadFile, FeaturesAreLaidOverAProject) {
   EXPECT_EQ(project.features.size(), 3U);
 }
 
+TEST_F(LoadFile, AMeshIsLaidOverAProject) {
+  Project project = parse(testing::kFull, "");
+  load_features(project, write("mesh.json", R"({"morphkit": 1, "mesh": {"size": [4, 3]}})"));
+  EXPECT_EQ(project.source.image, "cat.png");
+  EXPECT_TRUE(project.features.empty());
+  ASSERT_TRUE(project.mesh);
+  EXPECT_EQ(project.mesh->columns, 4);
+  // What corresponds comes from the file alone.
+  load_features(project, write("features.json", R"({"morphkit": 1, "features": []})"));
+  EXPECT_FALSE(project.mesh);
+}
+
+TEST_F(LoadFile, AMeshAndTheSettingsThatItIsLaidOverMustAgree) {
+  Project project = parse(with(R"("warp": {"border": "mirror"})"), "");
+  const auto mesh = write("mesh.json", R"({"morphkit": 1, "mesh": {"size": [4, 3]}})");
+  EXPECT_THROW(load_features(project, mesh), Error);
+  EXPECT_FALSE(project.mesh);
+  project = parse(testing::kMesh, "");
+  EXPECT_THROW(load_features(project, write("none.json", R"({"morphkit": 1, "features": []})")), Error);
+  EXPECT_TRUE(project.mesh);
+}
+
 TEST_F(LoadFile, BadFeaturesLeaveTheProjectAlone) {
   Project project = parse(testing::kFull, "");
   const Project before = project;
@@ -292,6 +359,13 @@ TEST(Effective, TheNearestSettingWins) {
   EXPECT_EQ(eye.b, 1.5);  // its group's
   EXPECT_EQ(eye.shape, project.groups[0].influence.shape);
   EXPECT_EQ(nose.shape, project.influence.shape);
+}
+
+TEST(Effective, OfAGroup) {
+  const Project project = parse(testing::kMesh, "");
+  EXPECT_EQ(effective(project, "face").shape, (motion::Timing{motion::SineEase{}, 0, 1}));
+  EXPECT_EQ(effective(project, "rim"), effective(project));
+  EXPECT_EQ(effective(project, std::string()), effective(project));
 }
 
 TEST(Effective, NothingStaysOpen) {

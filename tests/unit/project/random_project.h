@@ -25,8 +25,8 @@ class RandomProject {
     project.destination = side();
     for (int i = integer(0, 3); i > 0; --i) project.groups.push_back({"group " + std::to_string(i), influence()});
     for (int i = integer(0, 6); i > 0; --i) project.features.push_back(feature(project, "f" + std::to_string(i)));
-    project.warp.filter = pick<warp::Filter>({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic});
-    if (coin()) project.warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
+    if (coin()) project.mesh = mesh(project);
+    project.warp = warp(project);
     project.influence = influence();
     project.blend = pick({Blend::kLinear, Blend::kDisplay});
     project.output = output();
@@ -35,7 +35,7 @@ class RandomProject {
 
   /// Changes one thing or a few.
   void change(Project& project) {
-    switch (integer(0, 9)) {
+    switch (integer(0, 12)) {
       case 0:
         project.features.push_back(feature(project, "new " + std::to_string(random_())));
         break;
@@ -62,15 +62,28 @@ class RandomProject {
         project.output = output();
         break;
       case 7:
-        project.warp = {};
+        project.warp = warp(project);
         break;
       case 8:
         project.source = side();
         break;
-      default:
+      case 9:
         project.groups.push_back({"group " + std::to_string(random_()), influence()});
         break;
+      case 10:
+        project.mesh.reset();
+        if (coin()) project.mesh = mesh(project);
+        break;
+      case 11:
+        if (project.mesh && !project.mesh->source.empty()) {
+          project.mesh->source[index(project.mesh->source)] = point();
+        }
+        break;
+      default:
+        if (project.mesh) project.mesh->groups = mesh_groups(project, *project.mesh);
+        break;
     }
+    agree(project);
   }
 
   bool coin() { return integer(0, 1) == 1; }
@@ -176,6 +189,55 @@ class RandomProject {
     }
     if (coin()) feature.influence = influence();
     return feature;
+  }
+
+  std::vector<cv::Point2d> vertices(const Mesh& mesh) {
+    std::vector<cv::Point2d> result;
+    for (int i = 0; i < mesh.columns * mesh.rows; ++i) result.push_back(point());
+    return result;
+  }
+
+  /// Every vertex is in one of the groups or in none.
+  std::vector<MeshGroup> mesh_groups(const Project& project, const Mesh& mesh) {
+    std::vector<MeshGroup> result;
+    for (const Group& group : project.groups) {
+      if (coin()) result.push_back({group.id, {}});
+    }
+    for (int i = 0; i < mesh.columns * mesh.rows && !result.empty(); ++i) {
+      if (coin()) result[index(result)].vertices.emplace_back(i % mesh.columns, i / mesh.columns);
+    }
+    std::shuffle(result.begin(), result.end(), random_);
+    return result;
+  }
+
+  Mesh mesh(const Project& project) {
+    Mesh mesh;
+    mesh.columns = integer(2, 6);
+    mesh.rows = integer(2, 6);
+    if (coin()) mesh.source = vertices(mesh);
+    if (coin()) mesh.destination = vertices(mesh);
+    if (coin()) mesh.groups = mesh_groups(project, mesh);
+    return mesh;
+  }
+
+  Warp warp(const Project& project) {
+    Warp warp;
+    if (coin()) warp.method = pick({Method::kLines, Method::kMesh});
+    warp.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
+    warp.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
+    warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic});
+    if (coin()) warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
+    Project wanted = project;
+    wanted.warp = warp;
+    agree(wanted);
+    return wanted.warp;
+  }
+
+  /// Makes the warp one that the loader accepts.
+  static void agree(Project& project) {
+    if (!project.mesh && project.warp.method == Method::kMesh) project.warp.method.reset();
+    if (method_of(project) == Method::kMesh && project.warp.border == warp::Border::kMirror)
+      project.warp.border.reset();
   }
 
   Output output() {

@@ -210,6 +210,60 @@ TEST(ToText, LongCurvesAreWrapped) {
   for (const std::string& line : lines_of(to_text(project))) EXPECT_LE(line.size(), 120U) << line;
 }
 
+TEST(ToText, ANewMeshHasOneOfItsRowsOnEachLine) {
+  Project project = parse(with(""), "");
+  project.original = nullptr;
+  project.groups = {{"face", {}}};
+  project.mesh = Mesh{3, 2, {{0, 0}, {320, 0}, {640, 0}, {0, 480}, {300.5, 480}, {640, 480}}, {}, {}};
+  project.mesh->groups = {{"face", {{1, 0}, {1, 1}}}};
+  const std::string mesh =
+      R"(  "mesh": {
+    "size": [3, 2],
+    "source": [
+      [0, 0], [320, 0], [640, 0],
+      [0, 480], [300.5, 480], [640, 480]
+    ],
+    "groups": [
+      {"group": "face", "vertices": [[1, 0], [1, 1]]}
+    ]
+  }
+}
+)";
+  EXPECT_TRUE(to_text(project).ends_with(mesh)) << to_text(project);
+}
+
+TEST(ToText, AMovedVertexChangesOneLine) {
+  Project project = parse(testing::kMesh, "x.json");
+  project.mesh->source[4].x = 310;
+  const std::string text = to_text(project);
+  EXPECT_EQ(changed_lines(testing::kMesh, text), std::vector<std::size_t>{9});
+  EXPECT_TRUE(contains(text, "      [0, 480], [310, 480], [640, 480]\n")) << text;
+}
+
+TEST(ToText, AMeshOfAnotherSizeIsLaidOutAnew) {
+  Project project = parse(testing::kMesh, "x.json");
+  project.mesh->columns = 2;
+  project.mesh->source = {{0, 0}, {640, 0}, {0, 480}, {640, 480}};
+  project.mesh->groups = {{"face", {{1, 0}}}};
+  const std::string text = to_text(project);
+  EXPECT_TRUE(contains(text, "\"source\": [\n      [0, 0], [640, 0],\n      [0, 480], [640, 480]\n    ],")) << text;
+  EXPECT_TRUE(contains(text, "\n      {\"vertices\": [[1, 0]], \"group\": \"face\"}\n")) << text;
+  EXPECT_TRUE(contains(text, "\"destination\": \"uniform\",")) << text;
+}
+
+TEST(ToText, ALargeMeshOnOneLineIsSavedInReasonableTime) {
+  // A search for the start of the line at every number would take hours.
+  Project project = parse(with(""), "");
+  project.original = nullptr;
+  project.mesh = Mesh{300, 300, {}, {}, {}};
+  for (int i = 0; i < 300 * 300; ++i) project.mesh->source.emplace_back(i % 300 + 0.125, i / 300 + 0.5);
+  std::string text = to_text(project);
+  std::erase(text, '\n');
+  project = parse(text, "x.json");
+  project.mesh->source[77].x = 5;
+  EXPECT_TRUE(same_document(parse(to_text(project), "x.json"), project));
+}
+
 TEST(ToText, WhatCannotBeWrittenIsRefused) {
   Project project = parse(with(""), "");
   project.influence.a = std::numeric_limits<double>::quiet_NaN();

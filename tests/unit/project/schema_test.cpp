@@ -117,6 +117,11 @@ TEST(Schema, StatesTheLoadersLimits) {
   EXPECT_EQ(at("/properties/features/maxItems"), kMaxFeatures);
   EXPECT_EQ(at("/properties/groups/maxItems"), kMaxFeatures);
   EXPECT_EQ(at("/$defs/points/maxItems"), kMaxPoints);
+  EXPECT_EQ(at("/$defs/count/maximum"), kMaxMeshSize);
+  EXPECT_EQ(at("/$defs/index/maximum"), kMaxMeshSize - 1);
+  EXPECT_EQ(at("/$defs/vertices/anyOf/1/maxItems"), kMaxMeshVertices);
+  EXPECT_EQ(at("/$defs/meshGroup/properties/vertices/maxItems"), kMaxMeshVertices);
+  EXPECT_EQ(at("/properties/mesh/properties/groups/maxItems"), kMaxFeatures);
   EXPECT_EQ(at("/$defs/coordinate/minimum"), -kMaxCoordinate);
   EXPECT_EQ(at("/$defs/coordinate/maximum"), kMaxCoordinate);
   EXPECT_EQ(at("/$defs/extent/maximum"), kMaxSize);
