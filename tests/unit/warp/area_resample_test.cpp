@@ -209,7 +209,7 @@ TEST_P(AreaResample, LongLinesAgreeWithTheReference) {
     Pixels source = make.pixels(60000 + seed);
     for (Pixel& pixel : source) pixel[0] = 0.75F + pixel[0] / 4;  // sums that grow
     const double end = static_cast<double>(source.size());
-    for (Edges edges : {Edges{0, end}, Edges{0.3, 5000.1, 5001.3, 40000.7, end}, make.edges(9000, source.size())}) {
+    for (const Edges& edges : {Edges{0, end}, Edges{0.3, 5000.1, 5001.3, 40000.7, end}, make.edges(9000, source.size())}) {
       EXPECT_LE(
           worst_difference(resampled(resample_line, source, edges), resampled(reference_resample_line, source, edges)),
           kResampleTolerance);
