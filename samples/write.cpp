@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "morph/error.h"
-#include "morph/media/atomic_file.h"
+#include "morph/atomic_file.h"
 #include "morph/media/image_file.h"
 #include "warp/color.h"
 #include "warp/compare.h"
@@ -58,7 +58,7 @@ void write_project(const std::string& text, const std::filesystem::path& file, b
     if (there != text) fail_changed(file);
     return;
   }
-  media::write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
+  write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
 }
 
 }  // namespace

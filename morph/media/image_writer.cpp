@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "morph/error.h"
-#include "morph/media/atomic_file.h"
+#include "morph/atomic_file.h"
 #include "morph/media/image_file.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"

@@ -173,8 +173,8 @@ Project parse(const std::string& text, const std::filesystem::path& name);
 std::string to_text(const Project& project);
 
 /// Writes to_text atomically (temporary name, sync, rename); through a symbolic link, to what it names.
-/// @throws Error kIo; the file is then what it was before.
-void save(const Project& project, const std::filesystem::path& file);
+/// @throws Error kIo, also if the file exists and `overwrite` is false; the file is then what it was before.
+void save(const Project& project, const std::filesystem::path& file, bool overwrite = true);
 
 /// Features only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "groups": [...]}, laid
 /// over `project` (its images and output stay; "warp" and "transition" are taken where the file has them). For `morph A

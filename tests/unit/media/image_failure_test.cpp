@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "morph/media/atomic_file.h"
 #include "morph/media/image_format.h"
 #include "tests/unit/media/image_support.h"
 
@@ -210,63 +209,6 @@ TEST(ImageFailure, FullDisk) {
     EXPECT_EQ(folder.names().size(), 0U);
   }
   ::umount(folder.path().c_str());
-}
-
-TEST(AtomicFile, IsWholeOrNotThere) {
-  const Folder folder;
-  const fs::path file = folder / "a.txt";
-  {
-    AtomicFile given_up(file, false);
-    put(given_up.temporary(), {1, 2, 3});
-    EXPECT_FALSE(fs::exists(file));
-  }
-  EXPECT_EQ(folder.names().size(), 0U);
-  AtomicFile kept(file, false);
-  EXPECT_EQ(kept.temporary().parent_path(), folder.path());
-  EXPECT_EQ(kept.temporary().extension(), ".txt");
-  EXPECT_EQ(kept.temporary().filename().string().front(), '.');
-  kept.write(Bytes{1, 2, 3});
-  kept.commit();
-  EXPECT_EQ(bytes_of(file), (Bytes{1, 2, 3}));
-  EXPECT_EQ(folder.names().size(), 1U);
-}
-
-TEST(AtomicFile, AnEmptyFileIsNotCommitted) {
-  const Folder folder;
-  {
-    AtomicFile file(folder / "a.txt", false);
-    EXPECT_EQ(error_of([&] { file.commit(); }).code(), ErrorCode::kIo);
-  }
-  EXPECT_EQ(folder.names().size(), 0U);
-}
-
-TEST(AtomicFile, WhatAppearsMeanwhileIsLeftAlone) {
-  const Folder folder;
-  AtomicFile file(folder / "a.txt", false);
-  file.write(Bytes{1});
-  put(folder / "a.txt", {9});
-  EXPECT_TRUE(contains(error_of([&] { file.commit(); }).what(), "already exists"));
-  EXPECT_EQ(bytes_of(folder / "a.txt"), Bytes{9});
-}
-
-TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
-  const Folder folder;
-  put(folder / "real.txt", {9});
-  fs::permissions(folder / "real.txt", fs::perms::owner_read | fs::perms::owner_write);
-  fs::create_symlink("real.txt", folder / "link.txt");
-  write_file(folder / "link.txt", Bytes{1, 2}, true);
-  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
-  EXPECT_EQ(bytes_of(folder / "real.txt"), (Bytes{1, 2}));
-  EXPECT_EQ(fs::status(folder / "real.txt").permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_EQ(error_of([] { write_file("/dev/null", Bytes{1}, true); }).code(), ErrorCode::kIo);
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
-}
-
-TEST(AtomicFile, LongNamesHaveTemporaryNames) {
-  const Folder folder;
-  const fs::path file = folder / (std::string(250, 'x') + ".txt");
-  write_file(file, Bytes{1}, false);
-  EXPECT_EQ(bytes_of(file), Bytes{1});
 }
 
 }  // namespace

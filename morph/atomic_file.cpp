@@ -1,4 +1,4 @@
-#include "morph/media/atomic_file.h"
+#include "morph/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 #include "morph/error.h"
 
-namespace morphkit::media {
+namespace morphkit {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,6 +85,11 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const std::s
   }
 }
 
+/// Some file systems know no permissions; the contents matter more.
+void set_mode(int descriptor, mode_t mode) {
+  if (::fchmod(descriptor, mode) != 0) errno = 0;
+}
+
 constexpr const char* kAlreadyExists = "already exists; use --overwrite to replace it";
 
 }  // namespace
@@ -119,9 +124,12 @@ void AtomicFile::reserve() {
       if (errno == EEXIST) continue;
       fail_errno(shown_, "cannot be created", errno);
     }
-    // A replaced file keeps its permissions; where the system refuses, the usual ones will do.
+    // No more for others than the file that is replaced has, from the start; ourselves we must write to it.
     struct stat old = {};
-    if (::stat(final_.c_str(), &old) == 0 && ::fchmod(descriptor.get(), old.st_mode & kPermissionBits) != 0) errno = 0;
+    if (::stat(final_.c_str(), &old) == 0) {
+      mode_ = old.st_mode & kPermissionBits;
+      set_mode(descriptor.get(), *mode_ | S_IRUSR | S_IWUSR);
+    }
     temporary_ = name;
     return;
   }
@@ -143,6 +151,7 @@ void AtomicFile::commit() {
     struct stat written = {};
     if (::fstat(descriptor.get(), &written) != 0) fail_errno(shown_, "cannot be written", errno);
     if (written.st_size == 0) fail(shown_, "nothing was written; is the disk full?");
+    if (mode_) set_mode(descriptor.get(), *mode_);
     if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_errno(shown_, "cannot be written", errno);
     if (!descriptor.close()) fail_errno(shown_, "cannot be written", errno);
   }
@@ -161,4 +170,4 @@ void write_file(const fs::path& file, std::span<const std::uint8_t> bytes, bool 
   target.commit();
 }
 
-}  // namespace morphkit::media
+}  // namespace morphkit

@@ -3,10 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
-namespace morphkit::media {
+#include <sys/types.h>
+
+namespace morphkit {
 
 /// Reserves a temporary file beside `final_name`; `commit` renames it there. Until then, and for ever if the object is
 /// destroyed first, nobody sees anything under the final name.
@@ -16,7 +19,8 @@ namespace morphkit::media {
 /// it. One that a killed program left behind is never used again.
 class AtomicFile {
  public:
-  /// Creates the (empty) temporary file. A symbolic link is followed: what it points to is replaced, not the link.
+  /// Creates the (empty) temporary file. A symbolic link is followed: what it points to is replaced, not the link. A
+  /// file that is replaced keeps its permissions.
   /// @throws Error kIo if the folder is missing or cannot be written, if `final_name` is a folder or a device, or if it
   ///         exists and `overwrite` is false.
   AtomicFile(const std::filesystem::path& final_name, bool overwrite);
@@ -42,10 +46,11 @@ class AtomicFile {
   std::filesystem::path final_;
   std::filesystem::path temporary_;
   bool overwrite_;
+  std::optional<mode_t> mode_;  ///< permissions of the file that is replaced
   bool committed_ = false;
 };
 
 /// Writes `bytes` as one file, atomically. @throws Error kIo, also on a full disk.
 void write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes, bool overwrite);
 
-}  // namespace morphkit::media
+}  // namespace morphkit
