@@ -1,0 +1,210 @@
+#include "warp/mesh_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "warp/monotone.h"
+
+namespace morphkit::warp {
+namespace {
+
+/// How much of the distance to the polyline beside it a curve may stray from its own polyline. Below a half, so that
+/// two neighbours that stray towards each other do not meet.
+constexpr double kStray = 0.45;
+
+/// Knots closer than this count as one.
+constexpr double kNoWidth = 1e-12;
+
+Secant secant(std::span<const double> x, std::span<const double> y, std::size_t i) {
+  const double width = x[i + 1] - x[i];
+  return width > kNoWidth ? Secant{width, (y[i + 1] - y[i]) / width} : Secant{kNoWidth, 0};
+}
+
+double slope_at(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::size_t i) {
+  const std::size_t last = x.size() - 1;
+  if (last == 1) return secant(x, y, 0).slope;
+  if (spline == MeshSpline::kMonotone) {
+    if (i == 0) return monotone_end_slope(secant(x, y, 0), secant(x, y, 1));
+    if (i == last) return monotone_end_slope(secant(x, y, last - 1), secant(x, y, last - 2));
+    return monotone_slope(secant(x, y, i - 1), secant(x, y, i));
+  }
+  const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
+  const double width = x[after] - x[before];
+  return width > kNoWidth ? (y[after] - y[before]) / width : 0;
+}
+
+}  // namespace
+
+void spline_slopes(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::span<double> slopes) {
+  for (std::size_t i = 0; i < x.size(); ++i) slopes[i] = slope_at(spline, x, y, i);
+}
+
+/// A coordinate on one curve: between knots `first` and the next one, at the fraction u.
+struct CurveFamily::Place {
+  std::size_t first;
+  double u, width;
+};
+
+CurveFamily::CurveFamily(MeshSpline spline, std::size_t knots, std::vector<double> along, std::vector<double> across)
+    : spline_(spline), knots_(knots), along_(std::move(along)), across_(std::move(across)), slopes_(across_.size()) {
+  for (std::size_t begin = 0; begin < along_.size(); begin += knots_) {
+    const std::span<double> rising(along_.data() + begin, knots_);
+    for (std::size_t i = 1; i < knots_; ++i) rising[i] = std::max(rising[i], rising[i - 1]);
+    spline_slopes(spline_, rising, {across_.data() + begin, knots_}, {slopes_.data() + begin, knots_});
+  }
+}
+
+CurveFamily::Place CurveFamily::place(std::size_t curve, double at, Hints& hints) const {
+  const double* const along = along_.data() + curve * knots_;
+  std::size_t& i = hints[curve];
+  while (i > 0 && at < along[i]) --i;
+  while (i + 2 < knots_ && at >= along[i + 1]) ++i;
+  const double width = along[i + 1] - along[i];
+  const double u = width > kNoWidth ? std::clamp((at - along[i]) / width, 0.0, 1.0) : 0;
+  return {curve * knots_ + i, u, width};
+}
+
+double CurveFamily::linear(const Place& place) const {
+  return std::lerp(across_[place.first], across_[place.first + 1], place.u);
+}
+
+double CurveFamily::cubic(const Place& place) const {
+  const double u = place.u, v = 1 - u;
+  const double a = across_[place.first], b = across_[place.first + 1];
+  // The Hermite basis as a correction of the straight line: nothing where the curve is straight.
+  const double rise = b - a;
+  return std::lerp(a, b, u) +
+         u * v *
+             (v * (place.width * slopes_[place.first] - rise) - u * (place.width * slopes_[place.first + 1] - rise));
+}
+
+double CurveFamily::ordered(double linear, double cubic, double gap_before, double gap_after) const {
+  // Each curve alone is monotone, but two neighbours through slanting vertices may still cross between vertices where
+  // their polylines do not. With both kept within kStray of the gap, a tenth of the gap remains.
+  if (spline_ != MeshSpline::kMonotone) return cubic;
+  const double most = kStray * std::max(0.0, std::min(gap_before, gap_after));
+  return linear + std::clamp(cubic - linear, -most, most);
+}
+
+void CurveFamily::intercepts(double at, Hints& hints, std::span<double> across) const {
+  constexpr double kFree = 1e300;  // the outermost curves have one neighbour
+  const std::size_t n = curves();
+  Place here = place(0, at, hints);
+  double here_linear = linear(here), gap_before = kFree;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Place next = i + 1 < n ? place(i + 1, at, hints) : here;
+    const double next_linear = linear(next);
+    const double gap_after = i + 1 < n ? next_linear - here_linear : kFree;
+    across[i] = spline_ == MeshSpline::kLinear ? here_linear : ordered(here_linear, cubic(here), gap_before, gap_after);
+    here = next;
+    here_linear = next_linear;
+    gap_before = gap_after;
+  }
+}
+
+double CurveFamily::intercept(std::size_t curve, double at, Hints& hints) const {
+  constexpr double kFree = 1e300;
+  const Place here = place(curve, at, hints);
+  const double here_linear = linear(here);
+  if (spline_ != MeshSpline::kMonotone) return spline_ == MeshSpline::kLinear ? here_linear : cubic(here);
+  const double gap_before = curve > 0 ? here_linear - linear(place(curve - 1, at, hints)) : kFree;
+  const double gap_after = curve + 1 < curves() ? linear(place(curve + 1, at, hints)) - here_linear : kFree;
+  return ordered(here_linear, cubic(here), gap_before, gap_after);
+}
+
+void LineKnots::resize(std::size_t count) {
+  to.resize(count);
+  from.resize(count);
+  slopes.resize(count);
+}
+
+void LineKnots::prepare(MeshSpline spline) {
+  for (std::size_t i = 1; i < to.size(); ++i) {
+    to[i] = std::max(to[i], to[i - 1]);
+    from[i] = std::max(from[i], from[i - 1]);
+  }
+  spline_slopes(spline, to, from, slopes);
+  may_overshoot = spline == MeshSpline::kCatmullRom;
+}
+
+LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
+  const double width = to[i + 1] - to[i];
+  Cubic cubic;
+  cubic.x = to[i];
+  cubic.c0 = from[i] - to[i];
+  if (width <= kNoWidth) return cubic;
+  cubic.inverse_width = 1 / width;
+  const double rise = from[i + 1] - to[i + 1] - cubic.c0;
+  const double start = width * (slopes[i] - 1), end = width * (slopes[i + 1] - 1);
+  cubic.c1 = start;
+  cubic.c2 = 3 * rise - 2 * start - end;
+  cubic.c3 = start + end - 2 * rise;
+  return cubic;
+}
+
+double LineKnots::at(double x, std::size_t& i) const {
+  x = std::clamp(x, to.front(), to.back());
+  while (i > 0 && x < to[i]) --i;
+  while (i + 2 < to.size() && x >= to[i + 1]) ++i;
+  const Cubic c = cubic(i);
+  const double u = (x - c.x) * c.inverse_width;
+  return std::clamp(x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3))), from[i], from[i + 1]);
+}
+
+void LineKnots::edges(std::span<double> edges) const {
+  const std::size_t n = edges.size();
+  // The first whole number at or after a place on the output line, as an index into edges.
+  const auto index = [&](double place) {
+    return static_cast<std::size_t>(std::clamp(std::ceil(place), 0.0, static_cast<double>(n)));
+  };
+  std::size_t k = index(to.front());
+  std::fill(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(k), from.front());
+  for (std::size_t i = 0; i + 1 < to.size(); ++i) {
+    const std::size_t end = index(to[i + 1]);
+    if (end <= k) continue;
+    const Cubic c = cubic(i);
+    const double least = from[i], most = from[i + 1];
+    for (; k < end; ++k) {
+      const auto x = static_cast<double>(static_cast<std::int64_t>(k));
+      const double u = (x - c.x) * c.inverse_width;
+      const double place = x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3)));
+      edges[k] = place < least ? least : place > most ? most : place;
+    }
+  }
+  std::fill(edges.begin() + static_cast<std::ptrdiff_t>(k), edges.end(), from.back());
+  if (!may_overshoot) return;
+  for (std::size_t i = 1; i < n; ++i) edges[i] = std::max(edges[i], edges[i - 1]);
+}
+
+MeshPass::Hints MeshPass::hints() const {
+  return {CurveFamily::Hints(to.curves(), 0), CurveFamily::Hints(from.curves(), 0)};
+}
+
+void MeshPass::knots(double along, Hints& hints, LineKnots& knots) const {
+  knots.resize(to.curves());
+  to.intercepts(along, hints.to, knots.to);
+  from.intercepts(along, hints.from, knots.from);
+  knots.prepare(spline);
+}
+
+double MeshPass::at(double along, double x, Hints& hints, std::size_t& segment) const {
+  const std::size_t curves = to.curves();
+  while (segment > 0 && x < to.intercept(segment, along, hints.to)) --segment;
+  while (segment + 2 < curves && x >= to.intercept(segment + 1, along, hints.to)) ++segment;
+  // The slopes at both ends of the segment know the next curve on either side.
+  const std::size_t first = segment > 0 ? segment - 1 : 0;
+  const std::size_t count = std::min(segment + 3, curves) - first;
+  thread_local LineKnots knots;
+  knots.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    knots.to[i] = to.intercept(first + i, along, hints.to);
+    knots.from[i] = from.intercept(first + i, along, hints.from);
+  }
+  knots.prepare(spline);
+  std::size_t local = segment - first;
+  return knots.at(x, local);
+}
+
+}  // namespace morphkit::warp

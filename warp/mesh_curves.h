@@ -1,0 +1,85 @@
+#pragma once
+// The curves of a mesh, and the map along a scanline that crosses them. Internal to warp.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "warp/mesh_warp.h"
+
+namespace morphkit::warp {
+
+/// Slopes of the curve y(x) at its knots. @pre x never falls; equal neighbours count as flat.
+void spline_slopes(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::span<double> slopes);
+
+/// All curves of a mesh in one direction. The vertical ones give x ("across") as a function of y ("along").
+class CurveFamily {
+ public:
+  /// @param along, across  per curve, its knots; `along` is made to rise.
+  CurveFamily(MeshSpline spline, std::size_t knots, std::vector<double> along, std::vector<double> across);
+
+  std::size_t curves() const noexcept { return across_.size() / knots_; }
+
+  /// Where each curve is, per curve: a segment to begin the search at. Zeros at first.
+  using Hints = std::vector<std::size_t>;
+
+  /// `across` of every curve at one coordinate. In order wherever the polylines are and the spline is monotone.
+  void intercepts(double at, Hints& hints, std::span<double> across) const;
+
+  /// The same of one curve: depends on its two neighbours only.
+  double intercept(std::size_t curve, double at, Hints& hints) const;
+
+ private:
+  struct Place;
+
+  Place place(std::size_t curve, double at, Hints& hints) const;
+  double linear(const Place& place) const;
+  double cubic(const Place& place) const;
+  double ordered(double linear, double cubic, double gap_before, double gap_after) const;
+
+  MeshSpline spline_;
+  std::size_t knots_;
+  std::vector<double> along_, across_, slopes_;  ///< curve by curve
+};
+
+/// The knots of a scanline: places on the output line and where they come from on the source line.
+struct LineKnots {
+  std::vector<double> to, from;  ///< never falling
+  std::vector<double> slopes;    ///< of from(to)
+  bool may_overshoot = false;    ///< the spline is not monotone
+
+  void resize(std::size_t count);
+  /// Puts to and from in order by running maximum and finds the slopes.
+  void prepare(MeshSpline spline);
+  /// from at x; x is cut to [to.front(), to.back()]. @param segment  begins the search, receives where x was found.
+  double at(double x, std::size_t& segment) const;
+  /// from at x = 0, 1, ..., edges.size() - 1.
+  void edges(std::span<double> edges) const;
+
+ private:
+  /// from - x on a segment as a cubic of the fraction u: exact where nothing moves.
+  struct Cubic {
+    double x = 0, inverse_width = 0, c0 = 0, c1 = 0, c2 = 0, c3 = 0;
+  };
+  Cubic cubic(std::size_t segment) const;
+};
+
+/// One pass: both families cross the same scanlines.
+struct MeshPass {
+  MeshSpline spline;
+  CurveFamily to, from;
+
+  struct Hints {
+    CurveFamily::Hints to, from;
+  };
+  Hints hints() const;
+
+  /// Knots of the scanline at coordinate `along`.
+  void knots(double along, Hints& hints, LineKnots& knots) const;
+
+  /// The map along the scanline at `along` in one place, from the few curves around it. Equal to knots() and at()
+  /// unless the mesh folds. @param segment  as LineKnots::at.
+  double at(double along, double x, Hints& hints, std::size_t& segment) const;
+};
+
+}  // namespace morphkit::warp

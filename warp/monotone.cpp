@@ -1,0 +1,28 @@
+#include "warp/monotone.h"
+
+#include <algorithm>
+
+namespace morphkit::warp {
+namespace {
+
+// Slopes in [0, 3 secant] at both ends make a cubic monotone: the square inside Fritsch & Carlson's region. Unlike
+// their circle it limits each knot by itself, so a slope that is given next door does not matter.
+double limited(double slope, double secant) {
+  return secant >= 0 ? std::clamp(slope, 0.0, 3 * secant) : std::clamp(slope, 3 * secant, 0.0);
+}
+
+}  // namespace
+
+double monotone_slope(Secant before, Secant after) {
+  if (before.slope * after.slope <= 0) return 0;  // a local extreme stays one
+  const double parabola = (after.width * before.slope + before.width * after.slope) / (before.width + after.width);
+  return limited(limited(parabola, before.slope), after.slope);
+}
+
+double monotone_end_slope(Secant near, Secant far) {
+  const double parabola =
+      ((2 * near.width + far.width) * near.slope - near.width * far.slope) / (near.width + far.width);
+  return limited(parabola, near.slope);
+}
+
+}  // namespace morphkit::warp
