@@ -1,4 +1,4 @@
-// Replays the seeds and the finds of the fuzzer.
+// Replays the seeds and the finds of a fuzzer: of the one that is linked in.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,16 +13,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-TEST(ProjectCorpus, EveryFileIsReadOrRefused) {
+TEST(Corpus, EveryFileIsReadOrRefused) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(MORPHKIT_SOURCE_DIR "/tests/fuzz/corpus/fuzz_project")) {
+  for (const auto& entry : std::filesystem::directory_iterator(MORPHKIT_CORPUS)) {
     SCOPED_TRACE(entry.path());
     std::ifstream stream(entry.path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     EXPECT_NO_THROW(LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
     ++files;
   }
-  EXPECT_GE(files, 20);
+  EXPECT_GE(files, MORPHKIT_CORPUS_LEAST);
 }
 
 }  // namespace
