@@ -14,9 +14,11 @@
 #include <system_error>
 
 #include "morph/error.h"
+#include "morph/media/exr_check.h"
 #include "morph/media/image_format.h"
 #include "morph/media/metadata.h"
 #include "morph/media/png_check.h"
+#include "morph/media/promise_check.h"
 #include "morph/media/webp_codec.h"
 #include "warp/parallel.h"
 
@@ -179,6 +181,8 @@ void ImageReader::open() {
     bad_input(file_, fmt::format("is a {} file, which the installed OpenImageIO cannot read", format_));
   }
   input_->threads(1);
+  if (format_ == "openexr") check_exr(file_);
+  check_promises(file_, format_);
   if (format_ == "png") {
     bytes_ = read_bytes(file_);
     check_png(file_, bytes_);

@@ -127,6 +127,32 @@ TEST(ImageFailure, ManyLinesPromisedAndNoneThereCostNothing) {
   EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).code(), ErrorCode::kBadInput);
 }
 
+/// The first 34 bytes of a PSD file of 5 x 4 pixels, with that length of its colour mode data and of its resources.
+Bytes psd_head(std::uint8_t colors, std::uint8_t resources) {
+  return {'8', 'B', 'P', 'S', 0, 1, 0, 0, 0, 0,      0, 0, 0, 3, 0, 0,         0,
+          4,   0,   0,   0,   5, 0, 8, 0, 3, colors, 0, 0, 0, 0, 0, resources, 0};
+}
+
+TEST(ImageFailure, HeadersThatPromiseMoreThanThereIs) {
+  const Folder folder;
+  const auto refused = [&](const Bytes& bytes, const std::string& part) {
+    put(folder / "a", bytes);
+    expect_refused(folder / "a", ErrorCode::kBadInput, part);
+  };
+  refused({'G', 'I', 'F', '8', '9', 'a', 0x40, 0x9c, 0x30, 0x75, 0, 0, 0}, "40000 x 30000");
+  refused({'G', 'I', 'F', '8', '9', 'a', 0x40, 0x9c}, "the GIF file is cut short: it ends at byte 8");
+  Bytes bmp(60, 0);
+  bmp[0] = 'B', bmp[1] = 'M', bmp[14] = 40, bmp[20] = 16, bmp[22] = bmp[23] = bmp[24] = bmp[25] = 0xff;
+  refused(bmp, "1048576 x 1 ");
+  Bytes dpx(2060, 0);
+  dpx[0] = 'S', dpx[1] = 'D', dpx[2] = 'P', dpx[3] = 'X', dpx[32] = 0xf0, dpx[775] = dpx[779] = 2;
+  refused(dpx, "the user data at byte 2048 needs 4026531840 bytes, 12 are left");
+  dpx[773] = 2;
+  refused(dpx, "131074 x 2");
+  refused(psd_head(0x7f, 0), "the colour mode data at byte 30 needs 2130706432 bytes, 4 are left");
+  refused(psd_head(0, 0x10), "the section of resources at byte 34 needs 4096 bytes, 0 are left");
+}
+
 TEST(ImageFailure, DeepImagesAreRefused) {
   const Folder folder;
   OIIO::ImageSpec spec(1, 1, 5, OIIO::TypeDesc::FLOAT);
