@@ -1,240 +1,72 @@
 #include "morph/render/check.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "morph/render/line_check.h"
+#include "morph/render/mesh_check.h"
 #include "warp/analysis.h"
 
 namespace morphkit::render {
 namespace {
 
-/// Lines closer than this, more parallel than this, and leading further apart than this are twins.
-constexpr double kTwinDistancePx = 4;
-constexpr double kTwinSine = 0.17;  // 10 degrees
-constexpr double kTwinSpreadPx = 8;
-constexpr int kNearestFeatures = 3;
-
-double cross(cv::Point2d a, cv::Point2d b) {
-  return a.x * b.y - a.y * b.x;
+bool shows(const Renderer& renderer, SideName side, double t) {
+  const double alpha = motion::progress(*project::effective(renderer.project()).dissolve, t);
+  return side == SideName::kSource ? alpha < 1 : alpha > 0;
 }
 
-/// Where two segments cross in the inside of both; touching ends are no crossing.
-std::optional<cv::Point2d> crossing(const warp::Line& a, const warp::Line& b) {
-  const cv::Point2d da = a.q - a.p, db = b.q - b.p;
-  const double denominator = cross(da, db);
-  if (denominator == 0) return std::nullopt;
-  const double u = cross(b.p - a.p, db) / denominator;
-  const double v = cross(b.p - a.p, da) / denominator;
-  constexpr double kEnd = 1e-6;
-  if (u <= kEnd || u >= 1 - kEnd || v <= kEnd || v >= 1 - kEnd) return std::nullopt;
-  return a.p + u * da;
+/// What lies nearest to the worst fold, put into the finding and named for the message.
+std::string name_nearest(const Renderer& renderer, Finding& fold) {
+  if (project::method_of(renderer.project()) == project::Method::kMesh) {
+    fold.vertices = {nearest_vertex(renderer, fold.position, fold.t)};
+    return fmt::format(" near the vertex in column {}, row {}", fold.vertices[0].x, fold.vertices[0].y);
+  }
+  fold.features = nearest_features(renderer, fold.position, fold.t);
+  return fold.features.empty() ? "" : fmt::format(" near \"{}\"", fmt::join(fold.features, "\", \""));
 }
 
-double distance_to(const warp::Line& line, cv::Point2d x) {
-  const cv::Point2d d = line.q - line.p;
-  const double length2 = d.dot(d);
-  const double u = length2 > 0 ? std::clamp((x - line.p).dot(d) / length2, 0.0, 1.0) : 0;
-  const cv::Point2d rest = x - (line.p + u * d);
-  return std::hypot(rest.x, rest.y);
+void find_map_folds(const Renderer& renderer, SideName side, std::vector<Finding>& findings) {
+  Finding worst;
+  worst.kind = Finding::Kind::kFold;
+  worst.where = side == SideName::kSource ? "source" : "destination";
+  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    if (!shows(renderer, side, t)) continue;
+    const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(t, side));
+    std::int64_t area_px = 0;
+    for (const warp::FoldRegion& region : regions) area_px += region.area_px;
+    if (area_px <= worst.area_px) continue;
+    worst.t = t;
+    worst.area_px = area_px;
+    worst.count = static_cast<int>(regions.size());
+    worst.position = regions.front().centroid;
+  }
+  if (worst.area_px == 0) return;
+  worst.message = fmt::format("the {} folds over in {} {} ({} px at t = {:g}), the largest at ({:.0f}, {:.0f})",
+                              worst.where, worst.count, worst.count == 1 ? "place" : "places", worst.area_px, worst.t,
+                              worst.position.x, worst.position.y);
+  worst.message += name_nearest(renderer, worst);
+  findings.push_back(std::move(worst));
 }
-
-/// Nearly parallel and nearly in the same place.
-bool overlap(const warp::Line& a, const warp::Line& b) {
-  const cv::Point2d da = a.q - a.p, db = b.q - b.p;
-  const double lengths = std::hypot(da.x, da.y) * std::hypot(db.x, db.y);
-  if (lengths == 0 || std::abs(cross(da, db)) > kTwinSine * lengths) return false;
-  const warp::Line& shorter = da.dot(da) < db.dot(db) ? a : b;
-  const warp::Line& longer = &shorter == &a ? b : a;
-  return distance_to(longer, shorter.p) < kTwinDistancePx && distance_to(longer, shorter.q) < kTwinDistancePx;
-}
-
-/// How differently two pairs move what lies at their middle.
-double spread(const LinePair& a, const LinePair& b) {
-  const auto shift = [](const LinePair& pair) {
-    return (pair.destination.p + pair.destination.q - pair.source.p - pair.source.q) / 2.0;
-  };
-  const cv::Point2d difference = shift(a) - shift(b);
-  return std::hypot(difference.x, difference.y);
-}
-
-class Checker {
- public:
-  explicit Checker(const Renderer& renderer) : renderer_(renderer), features_(renderer.project().features) {}
-
-  std::vector<Finding> run() {
-    find_crossings();
-    find_twins();
-    find_outside();
-    find_folds(SideName::kSource);
-    find_folds(SideName::kDestination);
-    return std::move(findings_);
-  }
-
- private:
-  const std::string& id(const LinePair& pair) const { return features_[static_cast<std::size_t>(pair.feature)].id; }
-
-  void add(Finding finding, std::string message) {
-    finding.message = std::move(message);
-    findings_.push_back(std::move(finding));
-  }
-
-  void find_crossings() {
-    const auto source = [](const LinePair& pair) { return pair.source; };
-    const auto destination = [](const LinePair& pair) { return pair.destination; };
-    const auto half = [](const LinePair& pair) { return between(pair, motion::progress(*pair.influence.shape, 0.5)); };
-    const Placement& on_source = renderer_.placement(SideName::kSource);
-    const Placement& on_destination = renderer_.placement(SideName::kDestination);
-    std::set<std::pair<int, int>> known;  // a pair that crosses on a side also does in between: said once
-    find_crossings_of(
-        source, "source", 0, [&](cv::Point2d x) { return on_source.to_image(x); }, known);
-    find_crossings_of(
-        destination, "destination", 1, [&](cv::Point2d x) { return on_destination.to_image(x); }, known);
-    find_crossings_of(
-        half, "in between", 0.5, [](cv::Point2d x) { return x; }, known);
-  }
-
-  template <typename LineOf, typename Place>
-  void find_crossings_of(const LineOf& line_of, const char* where, double t, const Place& place,
-                         std::set<std::pair<int, int>>& known) {
-    const std::vector<LinePair>& pairs = renderer_.pairs();
-    std::vector<warp::Line> lines;
-    lines.reserve(pairs.size());
-    for (const LinePair& pair : pairs) lines.push_back(line_of(pair));
-    std::set<std::pair<int, int>> here;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-        const auto x = crossing(lines[i], lines[j]);
-        const std::pair<int, int> key{pairs[i].feature, pairs[j].feature};
-        if (!x || (t == 0.5 && known.contains(key)) || !here.insert(key).second) continue;
-        const cv::Point2d at = place(*x);
-        Finding finding{Finding::Kind::kCrossing, true, where, {id(pairs[i]), id(pairs[j])}, at, t, 0, 0, {}};
-        add(std::move(finding),
-            key.first == key.second
-                ? fmt::format("\"{}\" crosses itself at ({:.0f}, {:.0f}) {}", id(pairs[i]), at.x, at.y,
-                              place_text(where))
-                : fmt::format("\"{}\" and \"{}\" cross at ({:.0f}, {:.0f}) {}: pixels there are pulled two ways",
-                              id(pairs[i]), id(pairs[j]), at.x, at.y, place_text(where)));
-      }
-    known.insert(here.begin(), here.end());
-  }
-
-  static std::string place_text(const std::string& where) { return where == "in between" ? where : "in the " + where; }
-
-  void find_twins() {
-    const std::vector<LinePair>& pairs = renderer_.pairs();
-    std::set<std::pair<int, int>> said;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-        const LinePair &a = pairs[i], &b = pairs[j];
-        if (a.feature == b.feature || spread(a, b) < kTwinSpreadPx) continue;
-        const bool in_source = overlap(a.source, b.source);
-        if (!in_source && !overlap(a.destination, b.destination)) continue;
-        if (!said.insert({a.feature, b.feature}).second) continue;
-        const SideName side = in_source ? SideName::kSource : SideName::kDestination;
-        const warp::Line& line = in_source ? a.source : a.destination;
-        const std::string where = in_source ? "source" : "destination";
-        const cv::Point2d at = renderer_.placement(side).to_image((line.p + line.q) / 2.0);
-        add({Finding::Kind::kTwins, true, where, {id(a), id(b)}, at, in_source ? 0.0 : 1.0, 0, 0, {}},
-            fmt::format(
-                "\"{}\" and \"{}\" lie almost on each other at ({:.0f}, {:.0f}) in the {} but lead to different "
-                "places: remove one or move them apart",
-                id(a), id(b), at.x, at.y, where));
-      }
-  }
-
-  void find_outside() {
-    for (const project::Feature& feature : features_) {
-      const bool source_cropped = find_outside(feature, SideName::kSource, feature.source, "source");
-      const bool destination_cropped =
-          find_outside(feature, SideName::kDestination, feature.destination, "destination");
-      if (source_cropped && destination_cropped)
-        add({Finding::Kind::kOutsideCanvas, false, "in between", {feature.id}, {}, 0, 0, 0, {}},
-            fmt::format("\"{}\" lies outside the canvas on both sides: the output's size and fit crop it", feature.id));
-    }
-  }
-
-  /// Reports the first point outside the picture. @return whether all points are off the canvas.
-  bool find_outside(const project::Feature& feature, SideName side, const std::vector<cv::Point2d>& points,
-                    const char* where) {
-    const cv::Rect2d picture({0, 0}, cv::Size2d(renderer_.picture_size(side)));
-    const cv::Rect2d canvas({0, 0}, cv::Size2d(renderer_.size()));
-    const auto inside = [](const cv::Rect2d& r, cv::Point2d x) {
-      return x.x >= r.x && x.y >= r.y && x.x <= r.x + r.width && x.y <= r.y + r.height;
-    };
-    const auto out = std::find_if(points.begin(), points.end(), [&](cv::Point2d x) { return !inside(picture, x); });
-    if (out != points.end())
-      add({Finding::Kind::kOutsideImage, true, where, {feature.id}, *out, 0, 0, 0, {}},
-          fmt::format("\"{}\" has a point ({:g}, {:g}) outside the {} picture, which is {}x{}", feature.id, out->x,
-                      out->y, where, picture.width, picture.height));
-    return std::none_of(points.begin(), points.end(),
-                        [&](cv::Point2d x) { return inside(canvas, renderer_.placement(side).to_canvas(x)); });
-  }
-
-  bool shows(SideName side, double t) const {
-    const double alpha = motion::progress(*project::effective(renderer_.project()).dissolve, t);
-    return side == SideName::kSource ? alpha < 1 : alpha > 0;
-  }
-
-  void find_folds(SideName side) {
-    Finding worst;
-    worst.kind = Finding::Kind::kFold;
-    worst.where = side == SideName::kSource ? "source" : "destination";
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      if (!shows(side, t)) continue;
-      const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer_.map(t, side));
-      std::int64_t area_px = 0;
-      for (const warp::FoldRegion& region : regions) area_px += region.area_px;
-      if (area_px <= worst.area_px) continue;
-      worst.t = t;
-      worst.area_px = area_px;
-      worst.count = static_cast<int>(regions.size());
-      worst.position = regions.front().centroid;
-    }
-    if (worst.area_px == 0) return;
-    worst.features = nearest(worst.position, worst.t);
-    std::string message = fmt::format("the {} folds over in {} {} ({} px at t = {:g}), the largest at ({:.0f}, {:.0f})",
-                                      worst.where, worst.count, worst.count == 1 ? "place" : "places", worst.area_px,
-                                      worst.t, worst.position.x, worst.position.y);
-    if (!worst.features.empty()) message += fmt::format(" near \"{}\"", fmt::join(worst.features, "\", \""));
-    add(std::move(worst), std::move(message));
-  }
-
-  std::vector<std::string> nearest(cv::Point2d position, double t) const {
-    std::vector<std::pair<double, int>> distances;
-    for (const LinePair& pair : renderer_.pairs()) {
-      const warp::Line line = between(pair, motion::progress(*pair.influence.shape, t));
-      distances.emplace_back(distance_to(line, position), pair.feature);
-    }
-    std::sort(distances.begin(), distances.end());
-    std::vector<std::string> ids;
-    for (const auto& [distance, feature] : distances) {
-      const std::string& name = features_[static_cast<std::size_t>(feature)].id;
-      if (std::find(ids.begin(), ids.end(), name) == ids.end()) ids.push_back(name);
-      if (ids.size() == kNearestFeatures) break;
-    }
-    return ids;
-  }
-
-  const Renderer& renderer_;
-  const std::vector<project::Feature>& features_;
-  std::vector<Finding> findings_;
-};
 
 }  // namespace
 
 const char* name_of(Finding::Kind kind) {
-  constexpr std::array kNames{"crossing", "twins", "outside-image", "outside-canvas", "fold"};
+  constexpr std::array kNames{"crossing", "twins",     "outside-image", "outside-canvas",
+                              "fold",     "mesh-fold", "bottleneck"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Finding> check(const Renderer& renderer) {
-  return Checker(renderer).run();
+  std::vector<Finding> findings;
+  if (project::method_of(renderer.project()) == project::Method::kMesh)
+    check_mesh(renderer, findings);
+  else
+    check_lines(renderer, findings);
+  find_map_folds(renderer, SideName::kSource, findings);
+  find_map_folds(renderer, SideName::kDestination, findings);
+  return findings;
 }
 
 }  // namespace morphkit::render

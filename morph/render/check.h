@@ -15,20 +15,25 @@ struct Finding {
     kTwins,          ///< two lines lie almost on each other but lead to different places
     kOutsideImage,   ///< a mark lies outside its picture
     kOutsideCanvas,  ///< a feature lies wholly outside the canvas: the fit crops it
-    kFold            ///< the map turns over: a piece of the picture is drawn mirrored
+    kFold,           ///< the map turns over: a piece of the picture is drawn mirrored or lost
+    kMeshFold,       ///< a vertex of the mesh is out of order
+    kBottleneck      ///< between the passes of the mesh warp the picture is squeezed
   };
   Kind kind = Kind::kCrossing;
   bool warning = true;                ///< false: a note, worth knowing and no defect
   std::string where;                  ///< "source", "destination" or "in between"
   std::vector<std::string> features;  ///< ids concerned; for a fold the nearest ones
+  std::vector<cv::Point> vertices;    ///< of the mesh concerned, (column, row)
   cv::Point2d position;               ///< px: of that side's picture, or of the canvas for "in between" and folds
   double t = 0;                       ///< moment (folds and "in between")
-  int count = 0;                      ///< fold: connected regions
+  int count = 0;                      ///< fold: connected regions; mesh fold, bottleneck: vertices out of order
   std::int64_t area_px = 0;           ///< fold: canvas pixels, all regions
+  double area_lost = 0;               ///< bottleneck: see warp::MeshWarp::area_lost
   std::string message;                ///< one sentence for people
 };
 
-/// The name of a kind in reports: "crossing", "twins", "outside-image", "outside-canvas", "fold".
+/// The name of a kind in reports: "crossing", "twins", "outside-image", "outside-canvas", "fold",
+/// "mesh-fold", "bottleneck".
 const char* name_of(Finding::Kind kind);
 
 /// Everything noteworthy, crossings first. Folds are looked for at t = 0, 1/4, 1/2, 3/4 and 1 on each side that shows

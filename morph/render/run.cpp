@@ -16,10 +16,10 @@ namespace {
 /// What the frames in flight may take together: enough for two 4K float frames with what their codec holds.
 constexpr std::size_t kFrameMemoryBytes = std::size_t{512} << 20;
 
-int frames_in_flight(const RunOptions& options, cv::Size size) {
+int frames_in_flight(const RunOptions& options, const Renderer& renderer) {
   if (options.in_flight > 0) return options.in_flight;
   // A float frame, and its encoded form at up to 16 bit per channel.
-  const std::size_t frame_bytes = static_cast<std::size_t>(size.area()) * (sizeof(warp::Pixel) + 8);
+  const std::size_t frame_bytes = renderer.frame_bytes() + static_cast<std::size_t>(renderer.size().area()) * 8;
   const std::size_t fit = std::max<std::size_t>(1, kFrameMemoryBytes / frame_bytes);
   return static_cast<int>(std::min<std::size_t>(fit, static_cast<std::size_t>(warp::threads()) + 1));
 }
@@ -36,6 +36,9 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
     else
       missing.push_back(frame);
 
+  // A morph that cannot be rendered to its end is not begun.
+  for (const int frame : missing) renderer.require(renderer.time_of(frame));
+
   warp::PipelineStages stages;
   stages.make = [&](std::int64_t index) -> std::shared_ptr<void> {
     const int frame = missing[static_cast<std::size_t>(index)];
@@ -48,8 +51,7 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
     if (options.on_progress) options.on_progress(progress);
   };
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
-  warp::run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer.size()), stages,
-                     cancelled);
+  warp::run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), stages, cancelled);
   if (progress.done < static_cast<int>(missing.size()))
     throw Error(ErrorCode::kInterrupted, "",
                 fmt::format("interrupted after {} of {} frames", progress.done + progress.skipped, progress.total));

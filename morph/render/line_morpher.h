@@ -1,0 +1,34 @@
+#pragma once
+// Morphing by feature lines: one pass of the field per scanline serves both pictures.
+
+#include <span>
+#include <vector>
+
+#include "morph/render/inbetween.h"
+#include "morph/render/morpher.h"
+
+namespace morphkit::render {
+
+class LineMorpher : public Morpher {
+ public:
+  LineMorpher(const project::Project& project, const Stage& stage);
+
+  void require(double) const override {}
+  warp::Image frame(double t) const override;
+  warp::Map map(double t, SideName side) const override;
+  std::size_t scratch_bytes() const override { return 0; }
+  std::string description() const override;
+
+ private:
+  struct Moment;
+
+  void render_row(const Moment& moment, int y, std::span<warp::Pixel> out) const;
+  void sample_side(const StageSide& side, std::span<warp::MapPoint> positions, std::span<warp::Pixel> out) const;
+
+  const project::Project& project_;
+  const Stage& stage_;
+  std::vector<LinePair> pairs_;
+  bool local_dissolve_ = false;  ///< some feature dissolves in its own time
+};
+
+}  // namespace morphkit::render

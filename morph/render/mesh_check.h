@@ -1,0 +1,16 @@
+#pragma once
+// Lint for meshes. Internal to morph/render.
+
+#include <vector>
+
+#include "morph/render/check.h"
+
+namespace morphkit::render {
+
+/// Vertices out of order on either side and in between, and what the passes squeeze.
+void check_mesh(const Renderer& renderer, std::vector<Finding>& findings);
+
+/// The vertex that is nearest to a canvas position at t.
+cv::Point nearest_vertex(const Renderer& renderer, cv::Point2d position, double t);
+
+}  // namespace morphkit::render

@@ -1,0 +1,41 @@
+#pragma once
+// The mesh of both sides -> the mesh of one moment.
+
+#include <vector>
+
+#include "morph/project/project.h"
+#include "morph/render/stage.h"
+#include "warp/mesh.h"
+
+namespace morphkit::render {
+
+/// The project's mesh on both pictures, border vertices exactly on the borders, with what times its vertices.
+struct MeshPair {
+  warp::Mesh source_file, destination_file;      ///< px of the image files
+  warp::Mesh source_canvas, destination_canvas;  ///< canvas px
+  std::vector<project::Influence> timings;       ///< of the project, then of groups; no member empty
+  std::vector<std::size_t> timing;               ///< per vertex: index into timings
+
+  const warp::Mesh& file(SideName side) const { return side == SideName::kSource ? source_file : destination_file; }
+};
+
+/// How far a border vertex may be from its border, px: what rounding in other tools' files amounts to.
+inline constexpr double kOutlineTolerancePx = 0.5;
+
+/// The project's mesh on one side's picture, px of it; border vertices exactly on the border.
+/// @param picture  size of that picture, px.
+/// @pre the project has a mesh.
+/// @throws Error kBadInput naming the vertex if a border vertex is not on its border.
+warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size picture);
+
+/// @pre the project has a mesh. @throws Error as mesh_on.
+MeshPair mesh_pair(const project::Project& project, const Stage& stage);
+
+/// The in-between mesh of the moment t in [0, 1], canvas px: every vertex moves straight, in the time of its group. Its
+/// outline moves with the project's own timing.
+warp::Mesh between(const MeshPair& pair, double t);
+
+/// The dissolve progress of every vertex at t, in [0, 1].
+std::vector<double> dissolves(const MeshPair& pair, double t);
+
+}  // namespace morphkit::render

@@ -1,0 +1,59 @@
+#pragma once
+// Morphing by a mesh: each picture is warped in two passes onto the in-between mesh, then both are mixed.
+
+#include "morph/render/mesh_inbetween.h"
+#include "morph/render/morpher.h"
+#include "warp/mesh_warp.h"
+
+namespace morphkit::render {
+
+/// The moments at which a morph is looked at before it is rendered: the order of passes is chosen once for all frames,
+/// since a change on the way would show as a jump.
+inline constexpr double kMeshMoments[] = {0, 0.25, 0.5, 0.75, 1};
+
+/// How one picture goes onto the in-between mesh in one order, at its worst over kMeshMoments.
+struct MeshPasses {
+  warp::PassOrder order = warp::PassOrder::kRowsFirst;
+  std::size_t folds = 0;  ///< vertices of the intermediate mesh that are out of order
+  double area_lost = 0;   ///< see warp::MeshWarp::area_lost
+  double t = 0;           ///< when
+};
+
+/// @param order  kRowsFirst or kColumnsFirst.
+MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order);
+
+/// The order that `project` asks for, or of both the one with fewer folds, then with less area lost.
+MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideName side);
+
+class MeshMorpher : public Morpher {
+ public:
+  /// @throws Error kBadInput if the mesh does not fit the pictures, or folds and allow_folds is false.
+  MeshMorpher(const project::Project& project, const Stage& stage, bool allow_folds);
+
+  void require(double t) const override;
+  warp::Image frame(double t) const override;
+  warp::Map map(double t, SideName side) const override;
+  std::size_t scratch_bytes() const override;
+  std::string description() const override;
+
+ private:
+  warp::Image warped(SideName side, const warp::Mesh& to) const;
+  void mix(warp::Image& source, const warp::Image& destination, const warp::Mesh& mesh,
+           std::span<const double> dissolve) const;
+
+  const project::Project& project_;
+  const Stage& stage_;
+  MeshPair pair_;
+  warp::Mesh source_held_, destination_held_;  ///< px of the pictures as they are held in memory
+  MeshPasses source_passes_, destination_passes_;
+  bool allow_folds_;
+};
+
+/// @param name  what to call the mesh: "source". @param place  where it stands; the vertex's number is added.
+/// @throws Error kBadInput naming the first vertex that is out of order.
+void require_unfolded(const warp::Mesh& mesh, const std::string& name, const std::string& place);
+
+/// What is wrong with a vertex, for people: "lies left of its left neighbour".
+const char* text_of(warp::MeshFoldKind kind);
+
+}  // namespace morphkit::render
