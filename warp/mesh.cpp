@@ -104,6 +104,7 @@ std::vector<MeshFold> find_folds(const Mesh& mesh) {
   for (int row = 0; row < mesh.rows; ++row)
     for (int column = 0; column < mesh.columns; ++column)
       if (const auto kind = kinds[mesh.index(column, row)]) folds.push_back({{column, row}, *kind});
+  std::stable_sort(folds.begin(), folds.end(), [](const MeshFold& a, const MeshFold& b) { return a.kind < b.kind; });
   return folds;
 }
 

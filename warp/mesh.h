@@ -58,9 +58,9 @@ struct MeshFold {
   MeshFoldKind kind = MeshFoldKind::kLeftOfNeighbour;
 };
 
-/// Every vertex that is out of order, row by row, each once, by the first kind that applies. Where there is none, the
-/// polylines through the columns are functions of y that keep their order at every height, and the rows likewise
-/// of x: that is what two passes need. Cost: O(vertices).
+/// Every vertex that is out of order, each once, by the first kind that applies; the first kinds first, then row by
+/// row. Where there is none, the polylines through the columns are functions of y that keep their order at every
+/// height, and the rows likewise of x: that is what two passes need. Cost: O(vertices).
 std::vector<MeshFold> find_folds(const Mesh& mesh);
 
 }  // namespace morphkit::warp

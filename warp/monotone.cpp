@@ -15,13 +15,13 @@ double limited(double slope, double secant) {
 
 double monotone_slope(Secant before, Secant after) {
   if (before.slope * after.slope <= 0) return 0;  // a local extreme stays one
-  const double parabola = (after.width * before.slope + before.width * after.slope) / (before.width + after.width);
+  const double parabola = before.slope + before.width * (after.slope - before.slope) / (before.width + after.width);
   return limited(limited(parabola, before.slope), after.slope);
 }
 
 double monotone_end_slope(Secant near, Secant far) {
-  const double parabola =
-      ((2 * near.width + far.width) * near.slope - near.width * far.slope) / (near.width + far.width);
+  // Written so that equal secants give themselves exactly: a map that moves nothing has slope 1.
+  const double parabola = near.slope + near.width * (near.slope - far.slope) / (near.width + far.width);
   return limited(parabola, near.slope);
 }
 
