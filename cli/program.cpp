@@ -15,7 +15,9 @@
 #include "cli/cmd_compare.h"
 #include "cli/cmd_completion.h"
 #include "cli/cmd_demo.h"
+#include "cli/cmd_export.h"
 #include "cli/cmd_help.h"
+#include "cli/cmd_import.h"
 #include "cli/cmd_info.h"
 #include "cli/cmd_map.h"
 #include "cli/cmd_morph.h"
@@ -48,6 +50,8 @@ std::unique_ptr<CLI::App> make_app(Session& session) {
   app->footer(kFooter);
   add_morph(*app, session);
   add_map(*app, session);
+  add_import(*app, session);
+  add_export(*app, session);
   add_check(*app, session);
   add_info(*app, session);
   add_compare(*app, session);

@@ -1,0 +1,52 @@
+#include "cli/cmd_export.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+#include "morph/media/image_file.h"
+#include "morph/project/import.h"
+#include "morph/project/project.h"
+
+namespace morphkit::cli {
+namespace {
+
+cv::Size picture_size(const project::Project& project, const project::Side& side) {
+  const media::ImageInfo info = media::read_info(project::resolve(project, side.image));
+  return {info.width, info.height};
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(app, session,
+                                  {"export", "Write a project's mesh for other tools (xmorph and gtkmorph)",
+                                   "  morphkit export pair.json cat.mesh tiger.mesh", kRenderGroup});
+  auto options = std::make_shared<ExportOptions>();
+  command->add_option("PROJECT", options->project, "The project file")->type_name("")->required();
+  command->add_option("FILE", options->files, "The files to write, the source's first: two .mesh")
+      ->type_name("")
+      ->required();
+  command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_export(*options, output); }; });
+}
+
+int run_export(const ExportOptions& options, Output& output) {
+  const project::Project project = project::load(options.project);
+  const std::vector<std::string> remarks =
+      project::export_to(project, {options.files, picture_size(project, project.source),
+                                   picture_size(project, project.destination), options.overwrite});
+  for (const std::string& remark : remarks) output.note(remark);
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : options.files) names.push_back(file.string());
+  output.note(fmt::format("{} written", fmt::join(names, ", ")));
+  return 0;
+}
+
+}  // namespace morphkit::cli

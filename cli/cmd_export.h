@@ -1,0 +1,27 @@
+#pragma once
+// morphkit export: a project's correspondences for other tools.
+
+#include <filesystem>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct ExportOptions {
+  std::filesystem::path project;
+  std::vector<std::filesystem::path> files;  ///< to write, the source's first
+  bool overwrite = false;
+};
+
+void add_export(CLI::App& app, Session& session);
+
+/// @return the exit code. @throws Error as project::export_to.
+int run_export(const ExportOptions& options, Output& output);
+
+}  // namespace morphkit::cli

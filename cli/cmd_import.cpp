@@ -1,0 +1,73 @@
+#include "cli/cmd_import.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+#include "morph/media/image_file.h"
+#include "morph/project/import.h"
+#include "morph/project/project.h"
+
+namespace morphkit::cli {
+namespace {
+
+cv::Size picture_size(const std::filesystem::path& picture) {
+  const media::ImageInfo info = media::read_info(picture);
+  return {info.width, info.height};
+}
+
+/// `picture` as seen from the folder that `project` lies in. Links among the folders are followed, as whoever opens the
+/// path will do; a link that is the picture itself keeps its name.
+std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture) {
+  const auto folder = [](const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  };
+  return (std::filesystem::proximate(folder(picture), folder(project)) / picture.filename()).lexically_normal();
+}
+
+/// What the project now has.
+std::string summary(const project::Project& project) {
+  std::string text;
+  if (project.mesh) text = fmt::format("a mesh of {} x {} vertices", project.mesh->columns, project.mesh->rows);
+  if (!project.features.empty()) {
+    text += fmt::format("{}{} features", text.empty() ? "" : " and ", project.features.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(
+      app, session,
+      {"import", "Make a project of other tools' files (xmorph and gtkmorph meshes)",
+       "  morphkit import cat.mesh tiger.mesh --source cat.png --destination tiger.png -o pair.json", kRenderGroup});
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->files, "The other tool's files, the source's first: two .mesh")
+      ->type_name("")
+      ->required();
+  command->add_option("--source", options->source, "The picture to start from")->type_name("A")->required();
+  command->add_option("--destination", options->destination, "The picture to arrive at")->type_name("B")->required();
+  command->add_option("-o,--output", options->output, "The project to write")->type_name("PROJECT")->required();
+  command->add_flag("-y,--overwrite", options->overwrite, "Replace the project if it exists");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_import(*options, output); }; });
+}
+
+int run_import(const ImportOptions& options, Output& output) {
+  project::Project project;
+  project.source.image = seen_from(options.output, options.source);
+  project.destination.image = seen_from(options.output, options.destination);
+  const project::ImportReport report =
+      project::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
+  project::save(project, options.output, options.overwrite);
+  for (const std::string& remark : report.remarks) output.note(remark);
+  output.note(fmt::format("{}: {} from {}", options.output.string(), summary(project), report.format));
+  return 0;
+}
+
+}  // namespace morphkit::cli
