@@ -17,6 +17,7 @@ struct LineEdges {
 /// Resamples `source` into `out`. The running sum of the source line is interpolated by Catmull-Rom between pixel edges
 /// (the edge pixels go on beyond the ends), so the reconstruction has every source pixel's mean and is continuous.
 /// An interval shorter than 1/1000 px is taken as that long. Alpha ends in [0, 1].
+/// Source pixels that are not finite give finite colours, arbitrary up to three pixels around.
 /// Accuracy: class T against reference_resample_line, kResampleTolerance of the largest source magnitude; bit for bit
 /// the source where edges are consecutive whole numbers. Cost: O(source + out). Thread-safe.
 /// @pre source not empty; edges.size() == out.size() + 1.

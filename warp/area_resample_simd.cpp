@@ -36,12 +36,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr size_t kBlock = 32;
 
 /// What a block's pixels weigh, relative to the first pixel r of their intervals. The channel-wise mean is
-///   r + before (p[first - 1] - r) + after (p[first + 1] - r) + beyond (p[first + 2] - r)
-/// of an interval that ends in the pixel where it begins or in the next one, and otherwise
+///   r + before (p[first - 1] - r) + after (p[first + 1] - r) + beyond (p[first + 2] - r) + far (p[first + 3] - r)
+/// of an interval that ends in the pixel where it begins or in one of the next two, and otherwise
 ///   r + before (p[first - 1] - r) + tail_after (p[first + 1] - r) + inverse sum (p[first + 1 .. last - 1] - r)
 ///     + head_before (p[last - 1] - r) + head_at (p[last] - r) + head_beyond (p[last + 1] - r).
 struct Weights {
-  alignas(64) float before[kBlock], after[kBlock], beyond[kBlock];
+  alignas(64) float before[kBlock], after[kBlock], beyond[kBlock], far[kBlock];
   alignas(64) float tail_after[kBlock], head_before[kBlock], head_at[kBlock], head_beyond[kBlock], inverse[kBlock];
   alignas(64) int32_t first[kBlock], last[kBlock];
 };
@@ -50,7 +50,7 @@ struct Weights {
 struct Shape {
   bool all_whole = true;  ///< each is one whole source pixel
   bool any_whole = false;
-  bool all_short = true;  ///< none goes beyond the pixel after its first
+  int longest = 1;  ///< the pixels that one goes beyond its first: 1 for none or one, 2, 3 for more
 };
 
 using Doubles = hn::CappedTag<double, 8>;
@@ -112,7 +112,7 @@ Shape weigh(const double* edges, size_t source_pixels, Weights& weights) {
     const auto whole = hn::And(within_one, hn::And(hn::Eq(in.begin, hn::Zero(d)), hn::Eq(in.end, one)));
     shape.all_whole = shape.all_whole && hn::AllTrue(d, whole);
     shape.any_whole = shape.any_whole || !hn::AllFalse(d, whole);
-    const auto goes_beyond = hn::Gt(hn::Sub(in.last, in.first), one);
+    const DoubleVec steps = hn::Sub(in.last, in.first);
     const DoubleVec inverse = hn::Div(one, in.length);
     const Hermite begin(in.begin);
     const Hermite end(in.end);
@@ -123,13 +123,23 @@ Shape weigh(const double* edges, size_t source_pixels, Weights& weights) {
     const DoubleVec after = hn::MulAdd(hn::IfThenElse(within_one, end.right, head_at), inverse, tail_after);
     store_float(hn::Mul(before, inverse), weights.before + k);
     store_float(after, weights.after + k);
-    store_float(hn::IfThenZeroElse(within_one, head_beyond), weights.beyond + k);
+    const DoubleVec beyond = hn::IfThenZeroElse(within_one, head_beyond);
+    store_float(beyond, weights.beyond + k);
     store_int(in.first, weights.first + k);
     store_int(in.last, weights.last + k);
-    if (hn::AllFalse(d, goes_beyond)) continue;
-    shape.all_short = false;
+    store_float(hn::Zero(d), weights.far + k);
+    if (hn::AllFalse(d, hn::Gt(steps, one))) continue;
+    const DoubleVec head_before = hn::Mul(end.left, inverse);
+    const auto two = hn::Eq(steps, hn::Set(d, 2.0));
+    const DoubleVec between = hn::Add(tail_after, hn::Add(inverse, head_before));
+    store_float(hn::IfThenElse(two, between, after), weights.after + k);
+    store_float(hn::IfThenElse(two, hn::Mul(head_at, inverse), beyond), weights.beyond + k);
+    store_float(hn::IfThenElseZero(two, head_beyond), weights.far + k);
+    shape.longest = std::max(shape.longest, 2);
+    if (hn::AllFalse(d, hn::Gt(steps, hn::Set(d, 2.0)))) continue;
+    shape.longest = 3;
     store_float(tail_after, weights.tail_after + k);
-    store_float(hn::Mul(end.left, inverse), weights.head_before + k);
+    store_float(head_before, weights.head_before + k);
     store_float(hn::Mul(head_at, inverse), weights.head_at + k);
     store_float(head_beyond, weights.head_beyond + k);
     store_float(inverse, weights.inverse + k);
@@ -164,11 +174,13 @@ HWY_INLINE FloatVec add_weighted(FloatVec sum, float weight, FloatVec value, Flo
   return hn::MulAdd(hn::Set(Floats(), weight), hn::Sub(value, from), sum);
 }
 
-template <bool kSafe>
+/// kSteps: 1 or 2, the pixels that the interval may go beyond its first.
+template <int kSteps, bool kSafe>
 HWY_INLINE FloatVec short_mean(const Channels<kSafe>& source, const Weights& weights, size_t k) {
   const ptrdiff_t first = weights.first[k];
   const FloatVec from = source.at(first);
   FloatVec sum = hn::Mul(hn::Set(Floats(), weights.beyond[k]), hn::Sub(source.at(first + 2), from));
+  if constexpr (kSteps == 2) sum = add_weighted(sum, weights.far[k], source.at(first + 3), from);
   sum = add_weighted(sum, weights.before[k], source.at(first - 1), from);
   sum = add_weighted(sum, weights.after[k], source.at(first + 1), from);
   return hn::Add(from, sum);
@@ -219,11 +231,11 @@ HWY_INLINE void finish(FloatVec value, float* out, size_t channel) {
   hn::StoreU(hn::Min(value, hn::Load(d, kUpper + channel)), d, out + channel);
 }
 
-template <bool kSafe>
+template <int kSteps, bool kSafe>
 void short_block(std::span<const Pixel> source, const Weights& weights, std::span<Pixel> out) {
   for (size_t channel = 0; channel < 4; channel += hn::Lanes(Floats())) {
     const Channels<kSafe> channels(source, channel);
-    for (size_t k = 0; k < out.size(); ++k) finish(short_mean(channels, weights, k), out[k].val, channel);
+    for (size_t k = 0; k < out.size(); ++k) finish(short_mean<kSteps>(channels, weights, k), out[k].val, channel);
   }
 }
 
@@ -232,8 +244,8 @@ void mixed_block(std::span<const Pixel> source, const Weights& weights, std::spa
   for (size_t channel = 0; channel < 4; channel += hn::Lanes(Floats())) {
     const Channels<kSafe> channels(source, channel);
     for (size_t k = 0; k < out.size(); ++k) {
-      const bool goes_beyond = weights.last[k] - weights.first[k] > 1;
-      finish(goes_beyond ? long_mean(channels, weights, k) : short_mean(channels, weights, k), out[k].val, channel);
+      const bool is_long = weights.last[k] - weights.first[k] > 2;
+      finish(is_long ? long_mean(channels, weights, k) : short_mean<2>(channels, weights, k), out[k].val, channel);
     }
   }
 }
@@ -255,10 +267,12 @@ void resample_block(std::span<const Pixel> source, const double* edges, std::spa
     return;
   }
   const ptrdiff_t lowest = weights.first[0] - 1;
-  const ptrdiff_t highest = std::max(weights.last[kBlock - 1] + 1, weights.first[kBlock - 1] + 2);
+  const ptrdiff_t highest = std::max(weights.last[kBlock - 1] + 1, weights.first[kBlock - 1] + 3);
   const bool safe = lowest < 0 || highest >= static_cast<ptrdiff_t>(source.size());
-  if (shape.all_short) {
-    (safe ? short_block<true> : short_block<false>)(source, weights, out);
+  if (shape.longest == 1) {
+    (safe ? short_block<1, true> : short_block<1, false>)(source, weights, out);
+  } else if (shape.longest == 2) {
+    (safe ? short_block<2, true> : short_block<2, false>)(source, weights, out);
   } else {
     (safe ? mixed_block<true> : mixed_block<false>)(source, weights, out);
   }
