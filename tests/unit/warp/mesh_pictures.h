@@ -201,7 +201,7 @@ std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area
     for (int x = area.x; x < area.br().x; x += stride) pixels.push_back({{x, y}, 0});
   }
   for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-    const cv::Point2d offset(sample % kSamples + 0.5, sample / kSamples + 0.5);
+    const cv::Point2d offset = cv::Point2d(cv::Point(sample % kSamples, sample / kSamples)) + cv::Point2d(0.5, 0.5);
     const Map map = sparse_map(warp, area, stride, offset / kSamples);
     for_rows(map.rows, [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
