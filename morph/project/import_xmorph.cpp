@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -46,11 +48,11 @@ class Lines {
   }
 
   /// @throws Error kBadInput at the line that was read last.
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(ErrorCode::kBadInput, fmt::format("{}:{}", name_, std::max(number_, 1)), message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::kBadInput, place(), message); }
 
-  const std::string& name() const noexcept { return name_; }
+  /// "file:line" of the line that was read last.
+  std::string place() const { return fmt::format("{}:{}", name_, std::max(number_, 1)); }
+
   int number() const noexcept { return number_; }
 
  private:
@@ -129,8 +131,13 @@ cv::Point2d read_vertex(const Lines& lines, std::string_view line) {
   return {*x, *y};
 }
 
-/// @return whether tags of gtkmorph follow.
-bool read_vertices(Lines& lines, warp::Mesh& mesh) {
+/// Where things stood in a file.
+struct Places {
+  std::string last_vertex;  ///< "file:line"
+  int tags = 0;             ///< line of gtkmorph's first tag; 0: there is none
+};
+
+Places read_vertices(Lines& lines, warp::Mesh& mesh) {
   const auto count = static_cast<std::size_t>(mesh.columns) * static_cast<std::size_t>(mesh.rows);
   const auto promised = [&] { return fmt::format("{} vertices ({} x {})", count, mesh.columns, mesh.rows); };
   while (mesh.vertices.size() < count) {
@@ -140,11 +147,13 @@ bool read_vertices(Lines& lines, warp::Mesh& mesh) {
     }
     mesh.vertices.push_back(read_vertex(lines, *line));
   }
+  Places places{lines.place(), 0};
   const auto line = lines.next();
   if (line && line->front() != '<') {
     lines.fail(fmt::format("expected the end of the file after {}, found {}", promised(), json::shown(*line)));
   }
-  return line.has_value();
+  if (line) places.tags = lines.number();
+  return places;
 }
 
 /// How far the farthest border vertex of a scaled mesh, in their convention, is from where it belongs, px.
@@ -175,11 +184,12 @@ void put_border(warp::Mesh& mesh, double left, double top, double right, double 
 }
 
 /// From tenths of pixels of the picture that the mesh was drawn on, whose last pixel is the last vertex.
-void bring_to(warp::Mesh& mesh, cv::Size size, const Lines& lines, std::vector<std::string>& remarks) {
+void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Places& places,
+              std::vector<std::string>& remarks) {
   const cv::Point2d last = mesh.vertices.back();
   // Less than a tenth of a pixel; also what would scale to infinity.
   if (last.x < 1 || last.y < 1) {
-    throw Error(ErrorCode::kBadInput, lines.name(),
+    throw Error(ErrorCode::kBadInput, places.last_vertex,
                 fmt::format("the last vertex, the lower right corner, is at ({}, {}); expected the size of a picture",
                             json::number_text(last.x), json::number_text(last.y)));
   }
@@ -187,18 +197,18 @@ void bring_to(warp::Mesh& mesh, cv::Size size, const Lines& lines, std::vector<s
   for (cv::Point2d& vertex : mesh.vertices) {
     vertex = {vertex.x * scale.width + kCentre, vertex.y * scale.height + kCentre};
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) > kMaxCoordinate) {
-      throw Error(ErrorCode::kBadInput, lines.name(),
+      throw Error(ErrorCode::kBadInput, places.last_vertex,
                   "a vertex is far outside the picture, whose lower right corner the last vertex is");
     }
   }
   const cv::Size2d drawn_on(last.x / kTenths + 1, last.y / kTenths + 1);
   if (std::abs(drawn_on.width - size.width) > kRounding || std::abs(drawn_on.height - size.height) > kRounding) {
-    remarks.push_back(fmt::format("{}: drawn on {:.6g} x {:.6g} pixels, stretched to {} x {}", lines.name(),
-                                  drawn_on.width, drawn_on.height, size.width, size.height));
+    remarks.push_back(fmt::format("{}: drawn on {:.6g} x {:.6g} pixels, stretched to {} x {}", name, drawn_on.width,
+                                  drawn_on.height, size.width, size.height));
   }
   if (const double distance = border_distance(mesh, size); distance > kRounding) {
-    remarks.push_back(fmt::format("{}: vertices of the border were up to {:.1f} pixels off and moved onto it",
-                                  lines.name(), distance));
+    remarks.push_back(
+        fmt::format("{}: vertices of the border were up to {:.1f} pixels off and moved onto it", name, distance));
   }
   put_border(mesh, 0, 0, size.width, size.height);
 }
@@ -223,10 +233,9 @@ warp::Mesh parse_xmorph_mesh(const std::string& text, const std::string& name, c
                              std::vector<std::string>& remarks) {
   Lines lines(text, name);
   warp::Mesh mesh = read_head(lines);
-  if (read_vertices(lines, mesh)) {
-    remarks.push_back(fmt::format("{}: the tags from line {} on are left out", name, lines.number()));
-  }
-  bring_to(mesh, size, lines, remarks);
+  const Places places = read_vertices(lines, mesh);
+  if (places.tags > 0) remarks.push_back(fmt::format("{}: the tags from line {} on are left out", name, places.tags));
+  bring_to(mesh, size, name, places, remarks);
   return mesh;
 }
 

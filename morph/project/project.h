@@ -176,9 +176,10 @@ std::string to_text(const Project& project);
 /// @throws Error kIo, also if the file exists and `overwrite` is false; the file is then what it was before.
 void save(const Project& project, const std::filesystem::path& file, bool overwrite = true);
 
-/// Features only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "groups": [...]}, laid
-/// over `project` (its images and output stay; "warp" and "transition" are taken where the file has them). For `morph A
-/// B --features F`.
+/// What corresponds only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "mesh": {...},
+/// "groups": [...]}, of which "features" or "mesh" must be there, laid over `project` (its images and output stay; "warp"
+/// and "transition" are taken where the file has them). For `morph A B --features F`.
+/// @throws Error as load; `project` is then unchanged.
 void load_features(Project& project, const std::filesystem::path& file);
 
 /// The JSON Schema (2020-12) that the loader is tested against.

@@ -164,10 +164,10 @@ TEST(XmorphMesh, BadFilesNameTheLine) {
       {"M2\n2 2\n0 0\n9 -inf\n0 9\n9 9\n", "a.mesh:4", "out of range"},
       {"M2\n2 2\n0 0\n9 1e300\n0 9\n9 9\n", "a.mesh:4", "out of range"},
       {"M2\n2 2\n0 0\n9 1e999\n0 9\n9 9\n", "a.mesh:4", "expected a vertex"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n0 9\n", "a.mesh", "the last vertex, the lower right corner, is at (0, 9)"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n9 -9\n", "a.mesh", "is at (9, -9); expected the size of a picture"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n1e-300 9\n", "a.mesh", "the last vertex"},
-      {"M2\n2 2\n0 0\n1e7 0\n0 9\n1 9\n", "a.mesh", "far outside the picture"},
+      {"M2\n2 2\n0 0\n9 0\n0 9\n0 9\n", "a.mesh:6", "the last vertex, the lower right corner, is at (0, 9)"},
+      {"M2\n2 2\n0 0\n9 0\n0 9\n9 -9\n", "a.mesh:6", "is at (9, -9); expected the size of a picture"},
+      {"M2\n2 2\n0 0\n9 0\n0 9\n1e-300 9\n\n<t>\n", "a.mesh:6", "the last vertex"},
+      {"M2\n2 2\n0 0\n1e7 0\n0 9\n1 9\n", "a.mesh:6", "far outside the picture"},
   };
   for (const auto& [text, place, says] : table) {
     SCOPED_TRACE(text);
