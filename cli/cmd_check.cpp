@@ -18,11 +18,15 @@ namespace {
 Report report_of(const render::Finding& finding) {
   Report features = Report::array();
   for (const std::string& id : finding.features) features.push(id);
+  Report vertices = Report::array();
+  for (const cv::Point& vertex : finding.vertices) vertices.push(Report::array().push(vertex.x).push(vertex.y));
   Report report;
   report.set("kind", render::name_of(finding.kind)).set("level", finding.warning ? "warning" : "note");
   report.set("where", finding.where).set("features", features).set("t", finding.t);
   report.set("x", finding.position.x).set("y", finding.position.y);
   if (finding.kind == render::Finding::Kind::kFold) report.set("count", finding.count).set("area_px", finding.area_px);
+  if (finding.kind == render::Finding::Kind::kBottleneck) report.set("area_lost", finding.area_lost);
+  if (!finding.vertices.empty()) report.set("vertices", vertices);
   return report.set("message", finding.message);
 }
 
@@ -42,9 +46,7 @@ void print_text(const std::vector<render::Finding>& findings, const std::vector<
   for (const std::string& note : notes) output.line("note: " + note);
   for (const render::Finding& finding : findings)
     output.line(fmt::format("{}: {}", finding.warning ? "warning" : "note", finding.message));
-  if (findings.empty())
-    output.line(fmt::format("nothing to complain of: {} features as {} lines", renderer.project().features.size(),
-                            renderer.pairs().size()));
+  if (findings.empty()) output.line("nothing to complain of: " + renderer.description());
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ int run_check(const CheckOptions& options, Output& output) {
     if (picture->nonfinite_pixels > 0)
       notes.push_back(
           fmt::format("{}: {} pixels are NaN or infinite", side->image.string(), picture->nonfinite_pixels));
-  const render::Renderer renderer(project, std::move(pictures));
+  const render::Renderer renderer(project, pictures, {.allow_folds = true});
   const std::vector<render::Finding> findings = render::check(renderer);
   const bool good = std::none_of(findings.begin(), findings.end(), [](const auto& f) { return f.warning; });
   if (options.json)

@@ -77,7 +77,7 @@ int run_map(const MapOptions& options, Output& output) {
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
   const project::Project project = project_from(options.inputs, options.features);
-  const render::Renderer renderer(project, render::load_pictures(project));
+  const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = true});
   if (!options.t) return write_frames(options, renderer, output);
   write_moment(options, renderer, *options.t, options.output);
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));

@@ -41,14 +41,6 @@ std::optional<std::pair<int, int>> two_numbers(const std::string& text, char sep
   return numbers;
 }
 
-cv::Size parse_size(const std::string& text) {
-  constexpr int kLimit = 65536;
-  const auto size = two_numbers(text, 'x');
-  if (!size || size->first > kLimit || size->second > kLimit)
-    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
-  return {size->first, size->second};
-}
-
 void apply_overrides(const MorphOptions& options, project::Project& project) {
   project::Output& output = project.output;
   if (!options.size.empty()) output.size = parse_size(options.size);
@@ -69,7 +61,7 @@ void say_what_was_read(const project::Project& project, const render::Pictures& 
   };
   warn(project.source, pictures.source);
   warn(project.destination, pictures.destination);
-  if (project.features.empty())
+  if (project.features.empty() && project::method_of(project) == project::Method::kLines)
     output.warning(
         "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
         "corresponds: lines, points and curves in a project file. 'morphkit demo' writes one to copy from; "
@@ -188,6 +180,7 @@ void add_options(CLI::App& command, MorphOptions& options) {
   command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
       ->type_name("Q")
       ->check(CLI::Range(0, 100).description(""));
+  command.add_flag("--allow-folds", options.allow_folds, "Render a mesh that folds over as far as that goes");
   command.add_flag("--resume", options.resume, "Render only the frames that are not there yet");
   command.add_flag("-y,--overwrite", options.overwrite, "Replace files that exist");
   command.add_flag("--json", options.json, "Print what was done as JSON");
@@ -225,6 +218,14 @@ project::Project project_from(const std::vector<std::filesystem::path>& inputs, 
   return project::load(inputs.front());
 }
 
+cv::Size parse_size(const std::string& text) {
+  constexpr int kLimit = 65536;
+  const auto size = two_numbers(text, 'x');
+  if (!size || size->first > kLimit || size->second > kLimit)
+    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
+  return {size->first, size->second};
+}
+
 void require_moment(double t) {
   if (t >= 0 && t <= 1) return;
   throw Error(ErrorCode::kUsage, "-t", fmt::format("{} is no moment; 0 is the source, 1 the destination", t));
@@ -241,9 +242,8 @@ int run_morph(const MorphOptions& options, Output& output) {
   render::Pictures pictures = render::load_pictures(project);
   say_what_was_read(project, pictures, output);
   const auto metadata = pictures.source.metadata;
-  const render::Renderer renderer(std::move(project), std::move(pictures));
-  output.detail(fmt::format("canvas {}, {} features as {} lines", size_text(renderer.size()),
-                            renderer.project().features.size(), renderer.pairs().size()));
+  const render::Renderer renderer(std::move(project), pictures, {.allow_folds = options.allow_folds});
+  output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
   const media::SinkOptions sink = sink_options(options, renderer, metadata);
   return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
 }

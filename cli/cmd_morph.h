@@ -29,6 +29,7 @@ struct MorphOptions {
   std::string fit;          ///< "contain" | "cover" | "stretch" | "none"; empty: as the project says
   std::string depth = "auto";
   int quality = -1;  ///< JPEG and WebP 1..100; CRF of videos; -1: a good default
+  bool allow_folds = false;
   bool overwrite = false;
   bool resume = false;
   bool json = false;
@@ -42,6 +43,9 @@ int run_morph(const MorphOptions& options, Output& output);
 /// The project that a command's arguments name: a project file, or two pictures with or without features.
 /// @throws Error kUsage if they are neither; as project::load.
 project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features);
+
+/// "1280x720". @throws Error kUsage if it is no size.
+cv::Size parse_size(const std::string& text);
 
 /// @throws Error kUsage unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
 void require_moment(double t);

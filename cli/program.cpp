@@ -22,6 +22,7 @@
 #include "cli/cmd_map.h"
 #include "cli/cmd_morph.h"
 #include "cli/cmd_schema.h"
+#include "cli/cmd_warp.h"
 #include "cli/command.h"
 #include "cli/help_format.h"
 #include "cli/suggest.h"
@@ -49,6 +50,7 @@ std::unique_ptr<CLI::App> make_app(Session& session) {
   app->require_subcommand(0, 1);
   app->footer(kFooter);
   add_morph(*app, session);
+  add_warp(*app, session);
   add_map(*app, session);
   add_import(*app, session);
   add_export(*app, session);

@@ -36,6 +36,11 @@ const std::array kRecipes{
            {"lake.png", paint_lake},
            {"desert.png", paint_desert},
            kScenesProject},
+    Recipe{"mesh",
+           "The woman becomes the man by a mesh instead of lines",
+           {"woman.png", paint_woman},
+           {"man.png", paint_man},
+           kMeshProject},
 };
 
 }  // namespace

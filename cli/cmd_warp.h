@@ -1,0 +1,38 @@
+#pragma once
+// morphkit warp: bend one image.
+
+#include <filesystem>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+/// One image in, one out. The option that gives the shape (so far --mesh) chooses the method.
+struct WarpOptions {
+  std::filesystem::path image;
+  std::filesystem::path mesh;  ///< to bend onto: a .mesh file, or a project's destination mesh
+  std::filesystem::path from;  ///< that lies on the image: likewise (source mesh); empty: the project's, or even
+  std::filesystem::path output;
+  std::filesystem::path intermediate;  ///< the image between the passes; empty: not wanted
+  std::string size;                    ///< "1280x720"; empty: that of the image
+  std::string spline = "monotone";
+  std::string order = "auto";
+  std::string border = "transparent";
+  std::string depth = "auto";
+  int quality = -1;  ///< JPEG and WebP 1..100
+  bool allow_folds = false;
+  bool overwrite = false;
+};
+
+void add_warp(CLI::App& app, Session& session);
+
+/// @return the exit code.
+int run_warp(const WarpOptions& options, Output& output);
+
+}  // namespace morphkit::cli
