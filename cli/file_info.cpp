@@ -101,6 +101,14 @@ void add_features(const project::Project& project, FileInfo& info) {
   features.set("total", project.features.size()).set("lines", lines).set("points", points).set("curves", curves);
   info.report.set("features", features);
 
+  if (project.mesh) {
+    info.text += fmt::format("  mesh         {} x {} vertices\n", project.mesh->columns, project.mesh->rows);
+    info.report.set("mesh", Report().set("columns", project.mesh->columns).set("rows", project.mesh->rows));
+  }
+  const bool by_mesh = project::method_of(project) == project::Method::kMesh;
+  info.text += fmt::format("  method       {}\n", by_mesh ? "mesh" : "lines");
+  info.report.set("method", by_mesh ? "mesh" : "lines");
+
   Report groups = Report::array();
   std::string names;
   for (const project::Group& group : project.groups) {

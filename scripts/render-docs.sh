@@ -28,3 +28,11 @@ strip objects 240 240 "$work/objects.png"
 strip scenes 240 135 "$work/scenes.png"
 ffmpeg -v error -y -i "$work/objects.png" -i "$work/scenes.png" -frames:v 1 -update 1 -filter_complex vstack \
   docs/images/more.png
+
+# A mesh at work: an even grid is drawn on the picture, which then goes through the passes, rows first.
+build/release/bin/morphkit export "$work/mesh.json" "$work/woman.mesh" "$work/man.mesh" --quiet
+ffmpeg -v error -y -i "$work/woman.png" -vf 'drawgrid=w=iw/20:h=ih/25:t=2:c=white@0.8' -frames:v 1 -update 1 "$work/grid.png"
+build/release/bin/morphkit warp "$work/grid.png" --mesh "$work/man.mesh" --order rows-first \
+  --intermediate "$work/rows.png" -o "$work/both.png" --quiet
+ffmpeg -v error -y -i "$work/grid.png" -i "$work/rows.png" -i "$work/both.png" -frames:v 1 -update 1 -filter_complex \
+  '[0]scale=384:480[a];[1]scale=384:480[b];[2]scale=384:480[c];[a][b][c]hstack=3,format=rgb24' docs/images/mesh.png

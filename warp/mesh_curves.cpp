@@ -22,6 +22,12 @@ Secant secant(std::span<const double> x, std::span<const double> y, std::size_t 
   return width > kNoWidth ? Secant{width, (y[i + 1] - y[i]) / width} : Secant{kNoWidth, 0};
 }
 
+/// The segment of rising knots that x lies in, the first or last one beyond the ends.
+std::size_t segment_of(std::span<const double> knots, double x) {
+  const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
+  return static_cast<std::size_t>(after - knots.begin()) - 1;
+}
+
 double slope_at(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::size_t i) {
   const std::size_t last = x.size() - 1;
   if (last == 1) return secant(x, y, 0).slope;
@@ -59,6 +65,7 @@ CurveFamily::CurveFamily(MeshSpline spline, std::size_t knots, std::vector<doubl
 CurveFamily::Place CurveFamily::place(std::size_t curve, double at, Hints& hints) const {
   const double* const along = along_.data() + curve * knots_;
   std::size_t& i = hints[curve];
+  if (i == kUnknown) i = segment_of({along, knots_}, at);
   while (i > 0 && at < along[i]) --i;
   while (i + 2 < knots_ && at >= along[i + 1]) ++i;
   const double width = along[i + 1] - along[i];
@@ -129,10 +136,13 @@ void LineKnots::prepare(MeshSpline spline) {
   may_overshoot = spline == MeshSpline::kCatmullRom;
 }
 
+void LineKnots::limit(double most) {
+  for (double& place : from) place = std::clamp(place, 0.0, most);
+}
+
 LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
   const double width = to[i + 1] - to[i];
   Cubic cubic;
-  cubic.x = to[i];
   cubic.c0 = from[i] - to[i];
   if (width <= kNoWidth) return cubic;
   cubic.inverse_width = 1 / width;
@@ -146,40 +156,29 @@ LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
 
 double LineKnots::at(double x, std::size_t& i) const {
   x = std::clamp(x, to.front(), to.back());
+  if (i == kUnknown) i = segment_of(to, x);
   while (i > 0 && x < to[i]) --i;
   while (i + 2 < to.size() && x >= to[i + 1]) ++i;
   const Cubic c = cubic(i);
-  const double u = (x - c.x) * c.inverse_width;
+  const double u = (x - to[i]) * c.inverse_width;
   return std::clamp(x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3))), from[i], from[i + 1]);
 }
 
-void LineKnots::edges(std::span<double> edges) const {
+void LineKnots::edges(std::span<double> edges) {
   const std::size_t n = edges.size();
-  // The first whole number at or after a place on the output line, as an index into edges.
-  const auto index = [&](double place) {
-    return static_cast<std::size_t>(std::clamp(std::ceil(place), 0.0, static_cast<double>(n)));
-  };
-  std::size_t k = index(to.front());
-  std::fill(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(k), from.front());
-  for (std::size_t i = 0; i + 1 < to.size(); ++i) {
-    const std::size_t end = index(to[i + 1]);
-    if (end <= k) continue;
-    const Cubic c = cubic(i);
-    const double least = from[i], most = from[i + 1];
-    for (; k < end; ++k) {
-      const auto x = static_cast<double>(static_cast<std::int64_t>(k));
-      const double u = (x - c.x) * c.inverse_width;
-      const double place = x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3)));
-      edges[k] = place < least ? least : place > most ? most : place;
-    }
-  }
-  std::fill(edges.begin() + static_cast<std::ptrdiff_t>(k), edges.end(), from.back());
+  cubics_.clear();
+  cubics_.reserve(to.size());
+  for (std::size_t i = 0; i + 1 < to.size(); ++i) cubics_.push_back(cubic(i));
+  fill_edges(*this, cubics_, edges);
+  const auto at = [&](double place) { return edges.begin() + static_cast<std::ptrdiff_t>(whole_from(place, n)); };
+  std::fill(edges.begin(), at(to.front()), from.front());
+  std::fill(at(to.back()), edges.end(), from.back());
   if (!may_overshoot) return;
   for (std::size_t i = 1; i < n; ++i) edges[i] = std::max(edges[i], edges[i - 1]);
 }
 
 MeshPass::Hints MeshPass::hints() const {
-  return {CurveFamily::Hints(to.curves(), 0), CurveFamily::Hints(from.curves(), 0)};
+  return {CurveFamily::Hints(to.curves(), kUnknown), CurveFamily::Hints(from.curves(), kUnknown)};
 }
 
 void MeshPass::knots(double along, Hints& hints, LineKnots& knots) const {
@@ -191,6 +190,13 @@ void MeshPass::knots(double along, Hints& hints, LineKnots& knots) const {
 
 double MeshPass::at(double along, double x, Hints& hints, std::size_t& segment) const {
   const std::size_t curves = to.curves();
+  if (segment == kUnknown) {
+    segment = 0;
+    for (std::size_t end = curves - 1; end - segment > 1;) {
+      const std::size_t middle = (segment + end) / 2;
+      (to.intercept(middle, along, hints.to) <= x ? segment : end) = middle;
+    }
+  }
   while (segment > 0 && x < to.intercept(segment, along, hints.to)) --segment;
   while (segment + 2 < curves && x >= to.intercept(segment + 1, along, hints.to)) ++segment;
   // The slopes at both ends of the segment know the next curve on either side.

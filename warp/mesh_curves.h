@@ -1,7 +1,10 @@
 #pragma once
 // The curves of a mesh, and the map along a scanline that crosses them. Internal to warp.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,6 +15,9 @@ namespace morphkit::warp {
 /// Slopes of the curve y(x) at its knots. @pre x never falls; equal neighbours count as flat.
 void spline_slopes(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::span<double> slopes);
 
+/// No segment yet: the search is by halving.
+inline constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+
 /// All curves of a mesh in one direction. The vertical ones give x ("across") as a function of y ("along").
 class CurveFamily {
  public:
@@ -20,7 +26,7 @@ class CurveFamily {
 
   std::size_t curves() const noexcept { return across_.size() / knots_; }
 
-  /// Where each curve is, per curve: a segment to begin the search at. Zeros at first.
+  /// The segment of each curve in which it was found last, or kUnknown: a search begins there.
   using Hints = std::vector<std::size_t>;
 
   /// `across` of every curve at one coordinate. In order wherever the polylines are and the spline is monotone.
@@ -51,18 +57,34 @@ struct LineKnots {
   void resize(std::size_t count);
   /// Puts to and from in order by running maximum and finds the slopes.
   void prepare(MeshSpline spline);
-  /// from at x; x is cut to [to.front(), to.back()]. @param segment  begins the search, receives where x was found.
+  /// Cuts `from` to [0, most].
+  void limit(double most);
+  /// from at x; x is cut to [to.front(), to.back()]. @param segment  begins the search (or kUnknown), receives where x
+  /// was found.
   double at(double x, std::size_t& segment) const;
   /// from at x = 0, 1, ..., edges.size() - 1.
-  void edges(std::span<double> edges) const;
+  void edges(std::span<double> edges);
+
+  /// On the segment after a knot, from - x is a cubic of the fraction u of the segment: exact where nothing moves.
+  struct Cubic {
+    double inverse_width = 0, c0 = 0, c1 = 0, c2 = 0, c3 = 0;
+  };
 
  private:
-  /// from - x on a segment as a cubic of the fraction u: exact where nothing moves.
-  struct Cubic {
-    double x = 0, inverse_width = 0, c0 = 0, c1 = 0, c2 = 0, c3 = 0;
-  };
   Cubic cubic(std::size_t segment) const;
+
+  std::vector<Cubic> cubics_;  ///< of `edges`, kept for their memory
 };
+
+/// The inner loop of LineKnots::edges: the map at the whole numbers k with to.front() <= k < to.back(), into edges[k].
+/// Others may be overwritten with anything. Class E: the same bits on every instruction set.
+/// @param cubics  one per segment.
+void fill_edges(const LineKnots& knots, std::span<const LineKnots::Cubic> cubics, std::span<double> edges) noexcept;
+
+/// The first whole number at or after x, cut to [0, most].
+inline std::size_t whole_from(double x, std::size_t most) {
+  return static_cast<std::size_t>(std::clamp(std::ceil(x), 0.0, static_cast<double>(most)));
+}
 
 /// One pass: both families cross the same scanlines.
 struct MeshPass {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "warp/area_resample.h"
+#include "warp/image_pool.h"
 #include "warp/mesh_curves.h"
 #include "warp/parallel.h"
 
@@ -86,9 +87,8 @@ class LineResampler {
   /// The scanline whose centre is at `index` + 0.5.
   void operator()(int index, std::span<const Pixel> source, std::span<Pixel> out) {
     pass_.knots(index + 0.5, hints_, knots_);
+    knots_.limit(static_cast<double>(source.size()));  // the outline of `from` is the image up to rounding
     knots_.edges(edges_);
-    // The outline of `from` is the image up to rounding.
-    for (double& edge : edges_) edge = std::clamp(edge, 0.0, static_cast<double>(source.size()));
     const bool goes_on = border_ == Border::kClamp;
     resample_line(
         source, {edges_, goes_on ? 0 : knots_.to.front(), goes_on ? static_cast<double>(out.size()) : knots_.to.back()},
@@ -108,7 +108,7 @@ std::span<Pixel> row_of(Image& image, int y) {
 }
 
 Image resample_rows(const Image& source, const MeshPass& pass, Border border, int width) {
-  Image out(source.rows, width);
+  Image out = pooled_image({width, source.rows});
   for_rows(source.rows, [&](int begin, int end) {
     LineResampler resample(pass, border, width);
     for (int y = begin; y < end; ++y) resample(y, {source[y], static_cast<std::size_t>(source.cols)}, row_of(out, y));
@@ -117,24 +117,29 @@ Image resample_rows(const Image& source, const MeshPass& pass, Border border, in
 }
 
 Image resample_columns(const Image& source, const MeshPass& pass, Border border, int height) {
-  Image out(height, source.cols);
+  Image out = pooled_image({source.cols, height});
   const auto in_length = static_cast<std::size_t>(source.rows), out_length = static_cast<std::size_t>(height);
+  // A few pixels more than a line: lines a power of two apart would fall onto the same lines of the cache.
+  const std::size_t in_stride = in_length + 5, out_stride = out_length + 5;
   const auto block = [&](int first, LineResampler& resample, std::vector<Pixel>& in, std::vector<Pixel>& bent) {
-    const int width = std::min(kBlock, source.cols - first);
-    for (int y = 0; y < source.rows; ++y)
-      for (int i = 0; i < width; ++i)
-        in[static_cast<std::size_t>(i) * in_length + static_cast<std::size_t>(y)] = source(y, first + i);
-    for (int i = 0; i < width; ++i) {
-      const auto line = static_cast<std::size_t>(i);
-      resample(first + i, {in.data() + line * in_length, in_length}, {bent.data() + line * out_length, out_length});
+    const auto width = static_cast<std::size_t>(std::min(kBlock, source.cols - first));
+    for (int y = 0; y < source.rows; ++y) {
+      const Pixel* const row = source[y] + first;
+      Pixel* const column = in.data() + y;
+      for (std::size_t i = 0; i < width; ++i) column[i * in_stride] = row[i];
     }
-    for (int y = 0; y < height; ++y)
-      for (int i = 0; i < width; ++i)
-        out(y, first + i) = bent[static_cast<std::size_t>(i) * out_length + static_cast<std::size_t>(y)];
+    for (std::size_t i = 0; i < width; ++i)
+      resample(first + static_cast<int>(i), {in.data() + i * in_stride, in_length},
+               {bent.data() + i * out_stride, out_length});
+    for (int y = 0; y < height; ++y) {
+      Pixel* const row = out[y] + first;
+      const Pixel* const column = bent.data() + y;
+      for (std::size_t i = 0; i < width; ++i) row[i] = column[i * out_stride];
+    }
   };
   const auto blocks_of = [&](int begin, int end) {
     LineResampler resample(pass, border, height);
-    std::vector<Pixel> in(in_length * kBlock), bent(out_length * kBlock);
+    std::vector<Pixel> in(in_stride * kBlock), bent(out_stride * kBlock);
     for (int i = begin; i < end; ++i) block(i * kBlock, resample, in, bent);
   };
   for_rows((source.cols + kBlock - 1) / kBlock, blocks_of, 4);
@@ -241,7 +246,7 @@ cv::Point2d MeshWarp::source_of(cv::Point2d output) const {
   if (!inside) return {kNowhere, kNowhere};
   if (tables_->turned()) std::swap(output.x, output.y);
   MeshPass::Hints first_hints = tables_->first().hints(), second_hints = tables_->second().hints();
-  std::size_t column = 0, row = 0;
+  std::size_t column = kUnknown, row = kUnknown;
   const double y = tables_->second().at(output.x, output.y, second_hints, row);
   const double x = tables_->first().at(y, output.x, first_hints, column);
   return tables_->turned() ? cv::Point2d(y, x) : cv::Point2d(x, y);
@@ -263,11 +268,11 @@ Map MeshWarp::map(cv::Size size) const {
   Map map(height, width, MapPoint(kNan, kNan));
   for_rows(height, [&](int begin, int end) {
     MeshPass::Hints hints = tables_->first().hints();
-    std::vector<std::size_t> rows(columns, 0);
+    std::vector<std::size_t> rows(columns, kUnknown);
     for (int j = begin; j < end; ++j) {
       const double y = j + 0.5;
       if (y < outline.y || y > outline.y + outline.height) continue;
-      std::size_t segment = 0;
+      std::size_t segment = kUnknown;
       for (std::size_t i = 0; i < columns; ++i) {
         const double x = static_cast<double>(i) + 0.5;
         if (x < outline.x || x > outline.x + outline.width) continue;

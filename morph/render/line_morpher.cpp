@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "morph/render/dissolve.h"
+#include "warp/image_pool.h"
 #include "warp/parallel.h"
 
 namespace morphkit::render {
@@ -49,7 +50,7 @@ warp::Image LineMorpher::frame(double t) const {
   const double dissolve = local_dissolve_ ? least->value : whole;
   const Moment moment{warp::LineField(lines, 2), static_cast<float>(dissolve), local,
                       (local ? least->value : dissolve) < 1, (local ? most->value : dissolve) > 0};
-  warp::Image out(stage_.size);
+  warp::Image out = warp::pooled_image(stage_.size);
   warp::for_rows(out.rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) render_row(moment, y, {out[y], static_cast<std::size_t>(out.cols)});
   });

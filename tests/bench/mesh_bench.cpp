@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <malloc.h>
 
 #include "morph/render/dissolve.h"
 #include "tests/unit/warp/mesh_pictures.h"
@@ -32,10 +31,6 @@ void mesh_resample_choose_aa_by_name(char* name);
 
 namespace morphkit::warp {
 namespace {
-
-/// Frames keep their memory: blocks of any size stay in the heap. By default the C library maps a 1080p image of floats
-/// afresh each time and the system fills it with zeros, which takes longer than the warp.
-[[maybe_unused]] const bool kept_memory = mallopt(M_MMAP_THRESHOLD, 1 << 30) == 1 && mallopt(M_TRIM_THRESHOLD, -1) == 1;
 
 const cv::Size kFrame(1920, 1080);
 const cv::Size kPhotographSize(600, 400);
