@@ -22,6 +22,14 @@ constexpr double kMaxCoordinate = 1e9;
 /// row, and 16 lines of 1080 pixels stay in the second-level cache.
 constexpr int kBlock = 16;
 
+/// Rows that are asked for ahead: a column's pixels are too far apart for the machine to guess.
+constexpr int kAhead = 6;
+
+void fetch(const Pixel* pixels, std::size_t count) {
+  constexpr std::size_t kPerCacheLine = 64 / sizeof(Pixel);
+  for (std::size_t i = 0; i < count; i += kPerCacheLine) __builtin_prefetch(pixels + i);
+}
+
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 cv::Rect2d outline_of(const Mesh& mesh) {
@@ -125,6 +133,7 @@ Image resample_columns(const Image& source, const MeshPass& pass, Border border,
     const auto width = static_cast<std::size_t>(std::min(kBlock, source.cols - first));
     for (int y = 0; y < source.rows; ++y) {
       const Pixel* const row = source[y] + first;
+      if (y + kAhead < source.rows) fetch(source[y + kAhead] + first, width);
       Pixel* const column = in.data() + y;
       for (std::size_t i = 0; i < width; ++i) column[i * in_stride] = row[i];
     }
