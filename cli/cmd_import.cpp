@@ -59,6 +59,8 @@ void add_import(CLI::App& app, Session& session) {
 }
 
 int run_import(const ImportOptions& options, Output& output) {
+  if (options.output.extension() != ".json")
+    throw Error(ErrorCode::kUsage, options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;
   project.source.image = seen_from(options.output, options.source);
   project.destination.image = seen_from(options.output, options.destination);

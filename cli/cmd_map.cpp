@@ -24,6 +24,7 @@ void write_moment(const MapOptions& options, const render::Renderer& renderer, d
   const render::SideName side =
       options.side == "destination" ? render::SideName::kDestination : render::SideName::kSource;
   const render::Origin origin = options.origin == "top-left" ? render::Origin::kTopLeft : render::Origin::kBottomLeft;
+  renderer.require(t);
   media::write_map(file, render::stmap(renderer.map(t, side), renderer.picture_size(side), origin), options.overwrite);
 }
 
@@ -67,6 +68,7 @@ void add_map(CLI::App& app, Session& session) {
   command->add_option("-o,--output", options->output, "The file, or a numbered name for frames")
       ->type_name("OUT.exr")
       ->required();
+  command->add_flag("--allow-folds", options->allow_folds, "Write the map of a mesh that folds over all the same");
   command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
   command->callback(
       [&session, options] { session.action = [options](Output& output) { return run_map(*options, output); }; });
@@ -77,7 +79,7 @@ int run_map(const MapOptions& options, Output& output) {
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
   const project::Project project = project_from(options.inputs, options.features);
-  const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = true});
+  const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
   if (!options.t) return write_frames(options, renderer, output);
   write_moment(options, renderer, *options.t, options.output);
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));

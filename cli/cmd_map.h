@@ -23,6 +23,7 @@ struct MapOptions {
   std::string side = "source";                ///< "source" | "destination"
   std::string origin = "bottom-left";         ///< "bottom-left" | "top-left"
   std::filesystem::path output;
+  bool allow_folds = false;
   bool overwrite = false;
 };
 

@@ -61,7 +61,10 @@ void say_what_was_read(const project::Project& project, const render::Pictures& 
   };
   warn(project.source, pictures.source);
   warn(project.destination, pictures.destination);
-  if (project.features.empty() && project::method_of(project) == project::Method::kLines)
+  if (project::method_of(project) != project::Method::kLines) return;
+  if (project.mesh)
+    output.warning("the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it");
+  else if (project.features.empty())
     output.warning(
         "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
         "corresponds: lines, points and curves in a project file. 'morphkit demo' writes one to copy from; "
@@ -221,8 +224,10 @@ project::Project project_from(const std::vector<std::filesystem::path>& inputs, 
 cv::Size parse_size(const std::string& text) {
   constexpr int kLimit = 65536;
   const auto size = two_numbers(text, 'x');
-  if (!size || size->first > kLimit || size->second > kLimit)
+  if (!size)
     throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
+  if (size->first > kLimit || size->second > kLimit)
+    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is too large; at most {} pixels a side", text, kLimit));
   return {size->first, size->second};
 }
 

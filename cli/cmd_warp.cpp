@@ -3,12 +3,14 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "morph/error.h"
 #include "morph/media/image_file.h"
@@ -26,9 +28,6 @@ const std::map<std::string, warp::MeshSpline> kSplines{{"monotone", warp::MeshSp
 const std::map<std::string, warp::PassOrder> kOrders{{"auto", warp::PassOrder::kAuto},
                                                      {"rows-first", warp::PassOrder::kRowsFirst},
                                                      {"columns-first", warp::PassOrder::kColumnsFirst}};
-const std::map<std::string, warp::Border> kBorders{{"transparent", warp::Border::kTransparent},
-                                                   {"clamp", warp::Border::kClamp}};
-
 bool is_project(const std::filesystem::path& file) {
   return file.extension() == ".json";
 }
@@ -46,31 +45,71 @@ warp::Mesh project_mesh(const std::filesystem::path& file, render::SideName side
   return mesh;
 }
 
-warp::Mesh read_mesh(const std::filesystem::path& file, render::SideName side, cv::Size frame) {
-  return is_project(file) ? project_mesh(file, side, frame) : project::read_xmorph_mesh(file, frame);
+/// A mesh with what to call it in messages.
+struct NamedMesh {
+  warp::Mesh mesh;
+  std::string place;  ///< see render::require_unfolded
+};
+
+NamedMesh read_mesh(const std::filesystem::path& file, render::SideName side, cv::Size frame, Output& output) {
+  if (is_project(file))
+    return {project_mesh(file, side, frame),
+            file.string() + (side == render::SideName::kSource ? ": /mesh/source/" : ": /mesh/destination/")};
+  std::vector<std::string> remarks;
+  NamedMesh named{project::read_xmorph_mesh(file, frame, remarks), file.string()};
+  for (const std::string& remark : remarks) output.note(remark);
+  return named;
 }
 
-warp::Mesh from_mesh(const WarpOptions& options, const warp::Mesh& to, cv::Size image) {
-  if (!options.from.empty()) return read_mesh(options.from, render::SideName::kSource, image);
-  if (is_project(options.mesh)) return read_mesh(options.mesh, render::SideName::kSource, image);
-  return warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)});
+NamedMesh from_mesh(const WarpOptions& options, const warp::Mesh& to, cv::Size image, Output& output) {
+  if (!options.from.empty()) return read_mesh(options.from, render::SideName::kSource, image, output);
+  if (is_project(options.mesh)) return read_mesh(options.mesh, render::SideName::kSource, image, output);
+  return {warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)}), options.mesh.string()};
 }
 
 void require_alike(const WarpOptions& options, const warp::Mesh& from, const warp::Mesh& to) {
-  if (from.columns != to.columns || from.rows != to.rows)
-    throw Error(ErrorCode::kBadInput, options.from.string(),
-                fmt::format("is a mesh of {} x {} vertices, but {} has {} x {}; both must be alike", from.columns,
-                            from.rows, options.mesh.string(), to.columns, to.rows));
-  if (options.allow_folds) return;
-  render::require_unfolded(from, "first", options.from.empty() ? options.mesh.string() : options.from.string());
-  render::require_unfolded(to, "second", options.mesh.string());
+  if (from.columns == to.columns && from.rows == to.rows) return;
+  throw Error(ErrorCode::kBadInput, options.from.string(),
+              fmt::format("is a mesh of {} x {} vertices, but {} has {} x {}; both must be alike", from.columns,
+                          from.rows, options.mesh.string(), to.columns, to.rows));
 }
 
-std::string describe(const warp::MeshWarp& warp) {
-  return fmt::format("mesh of {} x {} vertices; {} first, {:.1f} % of the area lost between the passes",
-                     warp.to().columns, warp.to().rows,
-                     warp.order() == warp::PassOrder::kRowsFirst ? "rows" : "columns",
-                     100 * warp.area_lost(warp.order()));
+void require_free(const WarpOptions& options) {
+  const auto real = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (!options.intermediate.empty() && real(options.intermediate) == real(options.output))
+    throw Error(ErrorCode::kUsage, "--intermediate", "names the same file as --output");
+  for (const std::filesystem::path& file : {options.output, options.intermediate})
+    if (!options.overwrite && !file.empty() && std::filesystem::exists(file))
+      throw Error(ErrorCode::kIo, file.string(), "already exists; use --overwrite to replace it");
+}
+
+void stop_if_interrupted() {
+  if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; nothing more was written");
+}
+
+/// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
+warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size size, Output& output) {
+  const NamedMesh to = read_mesh(options.mesh, render::SideName::kDestination, size, output);
+  const NamedMesh from = from_mesh(options, to.mesh, image, output);
+  require_alike(options, from.mesh, to.mesh);
+  const warp::MeshWarp warp(from.mesh, to.mesh, {kSplines.at(options.spline), kOrders.at(options.order)});
+  const char* const order = render::text_of(warp.order());
+  if (!options.allow_folds) {
+    render::require_unfolded(from.mesh, "the mesh folds over", from.place);
+    render::require_unfolded(to.mesh, "the mesh folds over", to.place);
+    render::require_unfolded(warp::intermediate_mesh(from.mesh, to.mesh, warp.order()),
+                             fmt::format("the image turns too far for two passes, {}, and folds between them", order),
+                             options.mesh.string());
+  }
+  const double lost = warp::area_lost(from.mesh, to.mesh, warp.order());
+  const std::string text = fmt::format("{:.1f} % of the area is lost between the passes ({})", 100 * lost, order);
+  if (lost > render::kVisibleLoss)
+    output.warning(text + ": the image turns far and loses detail");
+  else
+    output.detail(fmt::format("mesh of {} x {} vertices; {}", to.mesh.columns, to.mesh.rows, text));
+  return warp;
 }
 
 }  // namespace
@@ -105,9 +144,6 @@ void add_warp(CLI::App& app, Session& session) {
   command->add_option("--order", options->order, "Order of the passes: auto (default), rows-first, columns-first")
       ->type_name("ORDER")
       ->check(CLI::IsMember(kOrders));
-  command->add_option("--border", options->border, "Outside the image: transparent (default), clamp")
-      ->type_name("BORDER")
-      ->check(CLI::IsMember(kBorders));
   command->add_option("--depth", options->depth, "Bits of the output: 8, 16, half, float")->type_name("DEPTH");
   command->add_option("--quality", options->quality, "JPEG and WebP: 1 to 100")
       ->type_name("Q")
@@ -119,16 +155,14 @@ void add_warp(CLI::App& app, Session& session) {
 }
 
 int run_warp(const WarpOptions& options, Output& output) {
-  for (const std::filesystem::path& file : {options.output, options.intermediate})
-    if (!options.overwrite && !file.empty() && std::filesystem::exists(file))
-      throw Error(ErrorCode::kIo, file.string(), "already exists; use --overwrite to replace it");
+  require_free(options);
   const media::Picture picture = media::read_picture(options.image);
+  if (picture.nonfinite_pixels > 0)
+    output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there",
+                               options.image.string(), picture.nonfinite_pixels));
   const cv::Size size = options.size.empty() ? picture.image.size() : parse_size(options.size);
-  const warp::Mesh to = read_mesh(options.mesh, render::SideName::kDestination, size);
-  const warp::Mesh from = from_mesh(options, to, picture.image.size());
-  require_alike(options, from, to);
-  const warp::MeshWarp warp(from, to, {kSplines.at(options.spline), kOrders.at(options.order)});
-  output.detail(describe(warp));
+  const warp::MeshWarp warp = mesh_warp(options, picture.image.size(), size, output);
+  stop_if_interrupted();
 
   media::WriteOptions write;
   write.alpha = picture.info.has_alpha || picture.nonfinite_pixels > 0;
@@ -136,10 +170,13 @@ int run_warp(const WarpOptions& options, Output& output) {
   write.overwrite = options.overwrite;
   write.metadata = picture.metadata;
   if (options.quality >= 0) write.quality = options.quality;
-  const warp::Border border = kBorders.at(options.border);
-  if (!options.intermediate.empty())
-    media::write_image(options.intermediate, warp.first_pass(picture.image, size, border), write);
-  media::write_image(options.output, warp.apply(picture.image, size, border), write);
+  // A mesh reaches the borders of both images, so the edge goes on where rounding leaves a gap.
+  const warp::Image between = warp.first_pass(picture.image, size, warp::Border::kClamp);
+  stop_if_interrupted();
+  const warp::Image bent = warp.second_pass(between, size, warp::Border::kClamp);
+  stop_if_interrupted();
+  if (!options.intermediate.empty()) media::write_image(options.intermediate, between, write);
+  media::write_image(options.output, bent, write);
   output.note(fmt::format("{}: {}x{}", options.output.string(), size.width, size.height));
   return 0;
 }

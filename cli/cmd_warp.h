@@ -23,7 +23,6 @@ struct WarpOptions {
   std::string size;                    ///< "1280x720"; empty: that of the image
   std::string spline = "monotone";
   std::string order = "auto";
-  std::string border = "transparent";
   std::string depth = "auto";
   int quality = -1;  ///< JPEG and WebP 1..100
   bool allow_folds = false;

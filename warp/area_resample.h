@@ -10,8 +10,9 @@ namespace morphkit::warp {
 /// Where the pixels of an output line come from. Output pixel k is the mean of the source line over
 /// [edges[k], edges[k + 1]], times the part of [k, k + 1] that lies in [begin, end].
 struct LineEdges {
-  std::span<const double> edges;  ///< one more than output pixels, never falling, source px in [0, source pixels]
-  double begin = 0, end = 0;      ///< the covered part of the output line, px; outside it pixels are transparent black
+  std::span<const double>
+      edges;  ///< one more than output pixels, source px in [0, source pixels]; where they fall, the interval is empty
+  double begin = 0, end = 0;  ///< the covered part of the output line, px; outside it pixels are transparent black
 };
 
 /// Resamples `source` into `out`. The running sum of the source line is interpolated by Catmull-Rom between pixel edges

@@ -50,7 +50,8 @@ struct Weights {
 struct Shape {
   bool all_whole = true;  ///< each is one whole source pixel
   bool any_whole = false;
-  int longest = 1;  ///< the pixels that one goes beyond its first: 1 for none or one, 2, 3 for more
+  ptrdiff_t lowest = 0, highest = 0;  ///< source pixels that are asked for
+  int longest = 1;                    ///< the pixels that one goes beyond its first: 1 for none or one, 2, 3 for more
 };
 
 using Doubles = hn::CappedTag<double, 8>;
@@ -106,8 +107,11 @@ Shape weigh(const double* edges, size_t source_pixels, Weights& weights) {
   const Doubles d;
   const DoubleVec one = hn::Set(d, 1.0);
   Shape shape;
+  DoubleVec least = hn::Set(d, static_cast<double>(source_pixels)), most = hn::Zero(d);
   for (size_t k = 0; k < kBlock; k += hn::Lanes(d)) {
     const Intervals in = intervals_of(edges + k, source_pixels);
+    least = hn::Min(least, in.first);
+    most = hn::Max(most, hn::Max(in.last, hn::Add(in.first, hn::Set(d, 2.0))));
     const auto within_one = hn::Eq(in.first, in.last);
     const auto whole = hn::And(within_one, hn::And(hn::Eq(in.begin, hn::Zero(d)), hn::Eq(in.end, one)));
     shape.all_whole = shape.all_whole && hn::AllTrue(d, whole);
@@ -144,6 +148,8 @@ Shape weigh(const double* edges, size_t source_pixels, Weights& weights) {
     store_float(head_beyond, weights.head_beyond + k);
     store_float(inverse, weights.inverse + k);
   }
+  shape.lowest = static_cast<ptrdiff_t>(hn::GetLane(hn::MinOfLanes(d, least))) - 1;
+  shape.highest = static_cast<ptrdiff_t>(hn::GetLane(hn::MaxOfLanes(d, most))) + 1;
   return shape;
 }
 
@@ -266,9 +272,7 @@ void resample_block(std::span<const Pixel> source, const double* edges, std::spa
     std::memcpy(out.data()->val, source[static_cast<size_t>(weights.first[0])].val, out.size_bytes());
     return;
   }
-  const ptrdiff_t lowest = weights.first[0] - 1;
-  const ptrdiff_t highest = std::max(weights.last[kBlock - 1] + 1, weights.first[kBlock - 1] + 3);
-  const bool safe = lowest < 0 || highest >= static_cast<ptrdiff_t>(source.size());
+  const bool safe = shape.lowest < 0 || shape.highest >= static_cast<ptrdiff_t>(source.size());
   if (shape.longest == 1) {
     (safe ? short_block<1, true> : short_block<1, false>)(source, weights, out);
   } else if (shape.longest == 2) {

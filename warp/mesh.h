@@ -14,7 +14,7 @@ namespace morphkit::warp {
 struct Mesh {
   int columns = 0;                    ///< vertices in a row, >= 2
   int rows = 0;                       ///< vertices in a column, >= 2
-  std::vector<cv::Point2d> vertices;  ///< columns * rows
+  std::vector<cv::Point2d> vertices;  ///< columns * rows; what takes a mesh relies on all three
 
   const cv::Point2d& at(int column, int row) const { return vertices[index(column, row)]; }
   cv::Point2d& at(int column, int row) { return vertices[index(column, row)]; }

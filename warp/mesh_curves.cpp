@@ -28,12 +28,18 @@ std::size_t segment_of(std::span<const double> knots, double x) {
   return static_cast<std::size_t>(after - knots.begin()) - 1;
 }
 
+/// A slope of 0 at the border, monotone as it is, would smear the border over many pixels.
+double lively(double slope, double secant) {
+  return std::abs(slope) < std::abs(secant) / 2 ? secant / 2 : slope;
+}
+
 double slope_at(MeshSpline spline, std::span<const double> x, std::span<const double> y, std::size_t i) {
   const std::size_t last = x.size() - 1;
   if (last == 1) return secant(x, y, 0).slope;
   if (spline == MeshSpline::kMonotone) {
-    if (i == 0) return monotone_end_slope(secant(x, y, 0), secant(x, y, 1));
-    if (i == last) return monotone_end_slope(secant(x, y, last - 1), secant(x, y, last - 2));
+    if (i == 0) return lively(monotone_end_slope(secant(x, y, 0), secant(x, y, 1)), secant(x, y, 0).slope);
+    if (i == last)
+      return lively(monotone_end_slope(secant(x, y, last - 1), secant(x, y, last - 2)), secant(x, y, last - 1).slope);
     return monotone_slope(secant(x, y, i - 1), secant(x, y, i));
   }
   const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);
@@ -127,17 +133,15 @@ void LineKnots::resize(std::size_t count) {
   slopes.resize(count);
 }
 
-void LineKnots::prepare(MeshSpline spline) {
+void LineKnots::prepare(MeshSpline kind, double most) {
+  spline = kind;
+  // Cut first: slopes of knots that are cut afterwards would be too steep for them.
+  for (double& place : from) place = std::clamp(place, 0.0, most);
   for (std::size_t i = 1; i < to.size(); ++i) {
     to[i] = std::max(to[i], to[i - 1]);
     from[i] = std::max(from[i], from[i - 1]);
   }
-  spline_slopes(spline, to, from, slopes);
-  may_overshoot = spline == MeshSpline::kCatmullRom;
-}
-
-void LineKnots::limit(double most) {
-  for (double& place : from) place = std::clamp(place, 0.0, most);
+  if (spline != MeshSpline::kLinear) spline_slopes(spline, to, from, slopes);
 }
 
 LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
@@ -147,6 +151,8 @@ LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
   if (width <= kNoWidth) return cubic;
   cubic.inverse_width = 1 / width;
   const double rise = from[i + 1] - to[i + 1] - cubic.c0;
+  cubic.c1 = rise;
+  if (spline == MeshSpline::kLinear) return cubic;
   const double start = width * (slopes[i] - 1), end = width * (slopes[i + 1] - 1);
   cubic.c1 = start;
   cubic.c2 = 3 * rise - 2 * start - end;
@@ -155,7 +161,8 @@ LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
 }
 
 double LineKnots::at(double x, std::size_t& i) const {
-  x = std::clamp(x, to.front(), to.back());
+  if (x < to.front()) return from.front();
+  if (x >= to.back()) return from.back();
   if (i == kUnknown) i = segment_of(to, x);
   while (i > 0 && x < to[i]) --i;
   while (i + 2 < to.size() && x >= to[i + 1]) ++i;
@@ -173,7 +180,7 @@ void LineKnots::edges(std::span<double> edges) {
   const auto at = [&](double place) { return edges.begin() + static_cast<std::ptrdiff_t>(whole_from(place, n)); };
   std::fill(edges.begin(), at(to.front()), from.front());
   std::fill(at(to.back()), edges.end(), from.back());
-  if (!may_overshoot) return;
+  if (spline != MeshSpline::kCatmullRom) return;  // it may overshoot and come back
   for (std::size_t i = 1; i < n; ++i) edges[i] = std::max(edges[i], edges[i - 1]);
 }
 
@@ -181,14 +188,14 @@ MeshPass::Hints MeshPass::hints() const {
   return {CurveFamily::Hints(to.curves(), kUnknown), CurveFamily::Hints(from.curves(), kUnknown)};
 }
 
-void MeshPass::knots(double along, Hints& hints, LineKnots& knots) const {
+void MeshPass::knots(double along, double most, Hints& hints, LineKnots& knots) const {
   knots.resize(to.curves());
   to.intercepts(along, hints.to, knots.to);
   from.intercepts(along, hints.from, knots.from);
-  knots.prepare(spline);
+  knots.prepare(spline, most);
 }
 
-double MeshPass::at(double along, double x, Hints& hints, std::size_t& segment) const {
+double MeshPass::at(double along, double x, double most, Hints& hints, std::size_t& segment) const {
   const std::size_t curves = to.curves();
   if (segment == kUnknown) {
     segment = 0;
@@ -208,7 +215,7 @@ double MeshPass::at(double along, double x, Hints& hints, std::size_t& segment) 
     knots.to[i] = to.intercept(first + i, along, hints.to);
     knots.from[i] = from.intercept(first + i, along, hints.from);
   }
-  knots.prepare(spline);
+  knots.prepare(spline, most);
   std::size_t local = segment - first;
   return knots.at(x, local);
 }

@@ -52,13 +52,11 @@ class CurveFamily {
 struct LineKnots {
   std::vector<double> to, from;  ///< never falling
   std::vector<double> slopes;    ///< of from(to)
-  bool may_overshoot = false;    ///< the spline is not monotone
+  MeshSpline spline = MeshSpline::kMonotone;
 
   void resize(std::size_t count);
-  /// Puts to and from in order by running maximum and finds the slopes.
-  void prepare(MeshSpline spline);
-  /// Cuts `from` to [0, most].
-  void limit(double most);
+  /// Puts both in order by running maximum, `from` cut to [0, most] before, and finds the slopes.
+  void prepare(MeshSpline spline, double most);
   /// from at x; x is cut to [to.front(), to.back()]. @param segment  begins the search (or kUnknown), receives where x
   /// was found.
   double at(double x, std::size_t& segment) const;
@@ -96,12 +94,12 @@ struct MeshPass {
   };
   Hints hints() const;
 
-  /// Knots of the scanline at coordinate `along`.
-  void knots(double along, Hints& hints, LineKnots& knots) const;
+  /// Knots of the scanline at coordinate `along`. @param most  length of the source line.
+  void knots(double along, double most, Hints& hints, LineKnots& knots) const;
 
   /// The map along the scanline at `along` in one place, from the few curves around it. Equal to knots() and at()
   /// unless the mesh folds. @param segment  as LineKnots::at.
-  double at(double along, double x, Hints& hints, std::size_t& segment) const;
+  double at(double along, double x, double most, Hints& hints, std::size_t& segment) const;
 };
 
 }  // namespace morphkit::warp

@@ -16,7 +16,10 @@
 namespace morphkit::warp {
 namespace {
 
-constexpr double kMaxCoordinate = 1e9;
+constexpr double kMaxCoordinate = 1e12;
+
+/// How far a border vertex may be from the outline, px: rounding.
+constexpr double kOffOutline = 1e-6;
 
 /// Columns that are resampled together. Each is copied into a line of its own; 16 pixels are four cache lines of a
 /// row, and 16 lines of 1080 pixels stay in the second-level cache.
@@ -73,17 +76,21 @@ void validate(const Mesh& from, const Mesh& to) {
       if (!(std::abs(vertex.x) <= kMaxCoordinate && std::abs(vertex.y) <= kMaxCoordinate))
         throw std::invalid_argument("MeshWarp: a vertex is not finite or too far away");
   }
+  for (const Mesh* mesh : {&from, &to})
+    if (const auto off = off_outline(*mesh, outline_of(*mesh), kOffOutline))
+      throw std::invalid_argument("MeshWarp: the border vertex in column " + std::to_string(off->column) + ", row " +
+                                  std::to_string(off->row) + " is not on the outline");
   if (from.columns != to.columns || from.rows != to.rows)
     throw std::invalid_argument("MeshWarp: the meshes differ in size");
 }
 
-PassOrder choose(const MeshWarp& warp, PassOrder asked) {
+PassOrder choose(const Mesh& from, const Mesh& to, PassOrder asked) {
   if (asked != PassOrder::kAuto) return asked;
-  const bool rows_fold = !find_folds(warp.intermediate(PassOrder::kRowsFirst)).empty();
-  const bool columns_fold = !find_folds(warp.intermediate(PassOrder::kColumnsFirst)).empty();
-  if (rows_fold != columns_fold) return rows_fold ? PassOrder::kColumnsFirst : PassOrder::kRowsFirst;
-  return warp.area_lost(PassOrder::kColumnsFirst) < warp.area_lost(PassOrder::kRowsFirst) ? PassOrder::kColumnsFirst
-                                                                                          : PassOrder::kRowsFirst;
+  const auto cost = [&](PassOrder order) {
+    return std::pair(!find_folds(intermediate_mesh(from, to, order)).empty(), area_lost(from, to, order));
+  };
+  return cost(PassOrder::kColumnsFirst) < cost(PassOrder::kRowsFirst) ? PassOrder::kColumnsFirst
+                                                                      : PassOrder::kRowsFirst;
 }
 
 /// Resamples lines of one pass. Kept per thread: scanlines nearby find their places from the last one's.
@@ -94,8 +101,7 @@ class LineResampler {
 
   /// The scanline whose centre is at `index` + 0.5.
   void operator()(int index, std::span<const Pixel> source, std::span<Pixel> out) {
-    pass_.knots(index + 0.5, hints_, knots_);
-    knots_.limit(static_cast<double>(source.size()));  // the outline of `from` is the image up to rounding
+    pass_.knots(index + 0.5, static_cast<double>(source.size()), hints_, knots_);
     knots_.edges(edges_);
     const bool goes_on = border_ == Border::kClamp;
     resample_line(
@@ -164,24 +170,21 @@ namespace detail {
 class MeshTables {
  public:
   MeshTables(Mesh from, Mesh to, const MeshWarpOptions& options)
-      : from_(std::move(from)), to_(std::move(to)), options_(options) {}
-
-  void build(PassOrder order) {
-    order_ = order;
-    const bool turned = order == PassOrder::kColumnsFirst;
-    const Mesh from = turned ? transposed(from_) : from_, to = turned ? transposed(to_) : to_;
-    const MeshSpline spline = options_.spline;
+      : from_(std::move(from)), to_(std::move(to)), order_(choose(from_, to_, options.order)) {
+    const Mesh first = turned() ? transposed(from_) : from_, second = turned() ? transposed(to_) : to_;
+    const MeshSpline spline = options.spline;
     first_ = std::make_unique<const MeshPass>(
-        MeshPass{spline, vertical_curves(spline, to, from), vertical_curves(spline, from, from)});
+        MeshPass{spline, vertical_curves(spline, second, first), vertical_curves(spline, first, first)});
     // The horizontal curves are the vertical ones of the transposed mesh.
-    const Mesh from_t = transposed(from), to_t = transposed(to);
+    const Mesh from_t = transposed(first), to_t = transposed(second);
     second_ = std::make_unique<const MeshPass>(
         MeshPass{spline, vertical_curves(spline, to_t, to_t), vertical_curves(spline, from_t, to_t)});
+    source_size_ = outline_of(first).size();
   }
 
   const Mesh& from() const { return from_; }
   const Mesh& to() const { return to_; }
-  const MeshWarpOptions& options() const { return options_; }
+  cv::Size2d source_size() const { return source_size_; }  ///< in the frame of the passes
   PassOrder order() const { return order_; }
   bool turned() const { return order_ == PassOrder::kColumnsFirst; }
   const MeshPass& first() const { return *first_; }
@@ -189,18 +192,32 @@ class MeshTables {
 
  private:
   Mesh from_, to_;
-  MeshWarpOptions options_;
-  PassOrder order_ = PassOrder::kRowsFirst;
+  PassOrder order_;
+  cv::Size2d source_size_;
   std::unique_ptr<const MeshPass> first_, second_;
 };
 
 }  // namespace detail
 
+Mesh intermediate_mesh(const Mesh& from, const Mesh& to, PassOrder order) {
+  return order == PassOrder::kRowsFirst ? crossed(to, from) : crossed(from, to);
+}
+
+double area_lost(const Mesh& from, const Mesh& to, PassOrder order) {
+  const Mesh between = intermediate_mesh(from, to, order);
+  double need = 0, lacking = 0;
+  for (int row = 0; row + 1 < from.rows; ++row)
+    for (int column = 0; column + 1 < from.columns; ++column) {
+      const double ends = std::max(0.0, std::min(signed_area(from, column, row), signed_area(to, column, row)));
+      need += ends;
+      lacking += std::max(0.0, ends - std::max(0.0, signed_area(between, column, row)));
+    }
+  return need > 0 ? lacking / need : 0;
+}
+
 MeshWarp::MeshWarp(Mesh from, Mesh to, const MeshWarpOptions& options) {
   validate(from, to);
-  const auto tables = std::make_shared<detail::MeshTables>(std::move(from), std::move(to), options);
-  tables_ = tables;
-  tables->build(choose(*this, options.order));
+  tables_ = std::make_shared<const detail::MeshTables>(std::move(from), std::move(to), options);
 }
 
 const Mesh& MeshWarp::from() const noexcept {
@@ -215,22 +232,6 @@ PassOrder MeshWarp::order() const noexcept {
   return tables_->order();
 }
 
-Mesh MeshWarp::intermediate(PassOrder order) const {
-  return order == PassOrder::kRowsFirst ? crossed(to(), from()) : crossed(from(), to());
-}
-
-double MeshWarp::area_lost(PassOrder order) const {
-  const Mesh between = intermediate(order);
-  double need = 0, lacking = 0;
-  for (int row = 0; row + 1 < from().rows; ++row)
-    for (int column = 0; column + 1 < from().columns; ++column) {
-      const double ends = std::max(0.0, std::min(signed_area(from(), column, row), signed_area(to(), column, row)));
-      need += ends;
-      lacking += std::max(0.0, ends - std::max(0.0, signed_area(between, column, row)));
-    }
-  return need > 0 ? lacking / need : 0;
-}
-
 Image MeshWarp::first_pass(const Image& source, cv::Size size, Border border) const {
   const cv::Size2d outline = outline_of(from()).size();
   if (source.empty() || size.empty()) throw std::invalid_argument("MeshWarp: an empty image");
@@ -242,7 +243,11 @@ Image MeshWarp::first_pass(const Image& source, cv::Size size, Border border) co
 }
 
 Image MeshWarp::apply(const Image& source, cv::Size size, Border border) const {
-  const Image between = first_pass(source, size, border);
+  return second_pass(first_pass(source, size, border), size, border);
+}
+
+Image MeshWarp::second_pass(const Image& between, cv::Size size, Border border) const {
+  if (between.empty() || size.empty()) throw std::invalid_argument("MeshWarp: an empty image");
   return tables_->turned() ? resample_rows(between, tables_->second(), border, size.width)
                            : resample_columns(between, tables_->second(), border, size.height);
 }
@@ -256,8 +261,8 @@ cv::Point2d MeshWarp::source_of(cv::Point2d output) const {
   if (tables_->turned()) std::swap(output.x, output.y);
   MeshPass::Hints first_hints = tables_->first().hints(), second_hints = tables_->second().hints();
   std::size_t column = kUnknown, row = kUnknown;
-  const double y = tables_->second().at(output.x, output.y, second_hints, row);
-  const double x = tables_->first().at(y, output.x, first_hints, column);
+  const double y = tables_->second().at(output.x, output.y, tables_->source_size().height, second_hints, row);
+  const double x = tables_->first().at(y, output.x, tables_->source_size().width, first_hints, column);
   return tables_->turned() ? cv::Point2d(y, x) : cv::Point2d(x, y);
 }
 
@@ -271,7 +276,8 @@ Map MeshWarp::map(cv::Size size) const {
   std::vector<LineKnots> knots(columns);
   for_rows(width, [&](int begin, int end) {
     MeshPass::Hints hints = tables_->second().hints();
-    for (int x = begin; x < end; ++x) tables_->second().knots(x + 0.5, hints, knots[static_cast<std::size_t>(x)]);
+    for (int x = begin; x < end; ++x)
+      tables_->second().knots(x + 0.5, tables_->source_size().height, hints, knots[static_cast<std::size_t>(x)]);
   });
 
   Map map(height, width, MapPoint(kNan, kNan));
@@ -286,7 +292,7 @@ Map MeshWarp::map(cv::Size size) const {
         const double x = static_cast<double>(i) + 0.5;
         if (x < outline.x || x > outline.x + outline.width) continue;
         const double between = knots[i].at(y, rows[i]);
-        const double from = tables_->first().at(between, x, hints, segment);
+        const double from = tables_->first().at(between, x, tables_->source_size().width, hints, segment);
         map(j, static_cast<int>(i)) = {static_cast<float>(from), static_cast<float>(between)};
       }
     }
@@ -306,11 +312,14 @@ MeshValues::MeshValues(const Mesh& mesh, std::span<const double> values)
 void MeshValues::row(int y, std::span<float> out) const {
   const double at = y + 0.5;
   // Place and value of every column at this height.
-  std::vector<std::pair<double, double>> knots;
-  knots.reserve(static_cast<std::size_t>(mesh_.columns));
+  thread_local std::vector<std::pair<double, double>> knots;
+  knots.clear();
   for (int column = 0; column < mesh_.columns; ++column) {
     int row = 0;
-    while (row + 2 < mesh_.rows && mesh_.at(column, row + 1).y <= at) ++row;
+    for (int end = mesh_.rows - 1; end - row > 1;) {
+      const int middle = (row + end) / 2;
+      (mesh_.at(column, middle).y <= at ? row : end) = middle;
+    }
     const cv::Point2d a = mesh_.at(column, row), b = mesh_.at(column, row + 1);
     const double u = b.y > a.y ? std::clamp((at - a.y) / (b.y - a.y), 0.0, 1.0) : 0;
     const double x = std::lerp(a.x, b.x, u);

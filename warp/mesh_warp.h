@@ -33,27 +33,28 @@ struct MeshWarpOptions {
   PassOrder order = PassOrder::kAuto;
 };
 
+/// The mesh of the intermediate image in `order` (not kAuto): x from one mesh, y from the other. It may fold though
+/// neither end does: a part turns by 90 degrees or more.
+Mesh intermediate_mesh(const Mesh& from, const Mesh& to, PassOrder order);
+
+/// The bottleneck of `order` (not kAuto): the part, in [0, 1], of the area which both ends have that the intermediate
+/// image lacks. 0: nothing is lost between the passes. Over all cells: sum(max(0, need - has)) / sum(need), need the
+/// smaller of a cell's areas in `from` and `to`, has its signed area in the intermediate mesh. Cost: O(vertices).
+double area_lost(const Mesh& from, const Mesh& to, PassOrder order);
+
 /// Bends an image from one mesh onto another.
 class MeshWarp {
  public:
   /// @param from  in pixels of the source image, outline: the whole image.
   /// @param to    in pixels of the output; any outline. Same columns and rows as `from`.
   /// Meshes that fold are accepted: what is out of order is squashed to nothing, never drawn mirrored.
-  /// @throws std::invalid_argument on unlike or too small grids, coordinates that are not finite or beyond 1e9.
+  /// @throws std::invalid_argument on unlike or too small grids, border vertices that are not on an upright rectangle,
+  /// coordinates that are not finite or beyond 1e12.
   MeshWarp(Mesh from, Mesh to, const MeshWarpOptions& options = {});
 
   const Mesh& from() const noexcept;
   const Mesh& to() const noexcept;
   PassOrder order() const noexcept;  ///< the order in use, never kAuto
-
-  /// The mesh of the intermediate image in `order` (not kAuto): x from one mesh, y from the other. It may fold though
-  /// neither end does: a part turns by 90 degrees or more.
-  Mesh intermediate(PassOrder order) const;
-
-  /// The bottleneck of `order` (not kAuto): the part, in [0, 1], of the area which both ends have that the intermediate
-  /// image lacks. 0: nothing is lost between the passes. Over all cells: sum(max(0, need - has)) / sum(need), need the
-  /// smaller of a cell's areas in `from` and `to`, has its signed area in the intermediate mesh.
-  double area_lost(PassOrder order) const;
 
   /// @param source  linear, premultiplied RGBA; has the size of the outline of `from`.
   /// @param border  kTransparent: nothing outside the outline of `to`, whose edge is antialiased; kClamp: the colour of
@@ -66,14 +67,17 @@ class MeshWarp {
   /// lines; memory: one intermediate image. See tests/bench/mesh_bench.cpp.
   Image apply(const Image& source, cv::Size size, Border border = Border::kTransparent) const;
 
-  /// What lies between the passes: output width x source height for kRowsFirst, else source width x output height.
+  /// The two halves of `apply`. Between them lies an image of output width x source height for kRowsFirst, else source
+  /// width x output height.
   Image first_pass(const Image& source, cv::Size size, Border border = Border::kTransparent) const;
+  Image second_pass(const Image& between, cv::Size size, Border border = Border::kTransparent) const;
 
   /// Where the output position comes from, source pixels: the exact map of the two passes; NaN outside the outline.
-  /// Cost: O(log(columns) + log(rows)).
+  /// (Where curves of kCatmullRom overshoot along a line, the map turns back and shows it; `apply` squashes it.) Cost:
+  /// O(columns + rows).
   cv::Point2d source_of(cv::Point2d output) const;
 
-  /// source_of of every pixel centre. Parallel over rows.
+  /// source_of of every pixel centre. Parallel over rows. Memory: the map, and the knots of every column of pixels.
   Map map(cv::Size size) const;
 
  private:

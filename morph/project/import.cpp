@@ -1,6 +1,7 @@
 #include "morph/project/import.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,7 +78,13 @@ ImportReport import_into(Project& project, const ImportInput& input) {
 }
 
 std::vector<std::string> export_to(const Project& project, const ExportOutput& output) {
-  return format_of(output.files).export_files(project, output);
+  const Format& format = format_of(output.files);
+  std::set<std::filesystem::path> names;
+  for (const std::filesystem::path& file : output.files) {
+    if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file))).second)
+      throw Error(ErrorCode::kUsage, file.string(), "is named twice; each side needs a file of its own");
+  }
+  return format.export_files(project, output);
 }
 
 }  // namespace morphkit::project

@@ -53,12 +53,13 @@ std::span<const Format> formats();
 ImportReport import_into(Project& project, const ImportInput& input);
 
 /// Writes what the format can hold. @return remarks: what it cannot hold, a sentence each.
-/// @throws Error kUsage as import_into, kBadInput if the project has not what the format is for, kIo (nothing is
+/// @throws Error kUsage as import_into, and if two of the files are one; kBadInput if the project has not what the
+/// format is for, kIo (nothing is
 ///         replaced then that was there, unless only a later one of the files fails to be put in place).
 std::vector<std::string> export_to(const Project& project, const ExportOutput& output);
 
 /// One side of xmorph's meshes, brought to a picture of `size` px; border vertices lie on its border exactly.
-/// @throws Error kIo, kBadInput naming file and line.
-warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size);
+/// @param remarks  receives what was assumed, a sentence each. @throws Error kIo, kBadInput naming file and line.
+warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size, std::vector<std::string>& remarks);
 
 }  // namespace morphkit::project

@@ -171,18 +171,6 @@ double border_distance(const warp::Mesh& mesh, cv::Size size) {
   return distance;
 }
 
-/// Border vertices onto the border; along it they stay, but for the corners.
-void put_border(warp::Mesh& mesh, double left, double top, double right, double bottom) {
-  for (int row = 0; row < mesh.rows; ++row) {
-    mesh.at(0, row).x = left;
-    mesh.at(mesh.columns - 1, row).x = right;
-  }
-  for (int column = 0; column < mesh.columns; ++column) {
-    mesh.at(column, 0).y = top;
-    mesh.at(column, mesh.rows - 1).y = bottom;
-  }
-}
-
 /// From tenths of pixels of the picture that the mesh was drawn on, whose last pixel is the last vertex.
 void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Places& places,
               std::vector<std::string>& remarks) {
@@ -210,11 +198,7 @@ void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Pl
     remarks.push_back(
         fmt::format("{}: vertices of the border were up to {:.1f} pixels off and moved onto it", name, distance));
   }
-  put_border(mesh, 0, 0, size.width, size.height);
-}
-
-warp::Mesh read_mesh_file(const std::filesystem::path& file, cv::Size size, std::vector<std::string>& remarks) {
-  return parse_xmorph_mesh(read_file(file, "mesh"), file.string(), size, remarks);
+  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(size)});
 }
 
 /// The mesh of a side with a place for every vertex.
@@ -239,15 +223,14 @@ warp::Mesh parse_xmorph_mesh(const std::string& text, const std::string& name, c
   return mesh;
 }
 
-warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size) {
-  std::vector<std::string> remarks;
-  return read_mesh_file(file, size, remarks);
+warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size, std::vector<std::string>& remarks) {
+  return parse_xmorph_mesh(read_file(file, "mesh"), file.string(), size, remarks);
 }
 
 std::vector<std::string> import_xmorph(Project& project, const ImportInput& input) {
   std::vector<std::string> remarks;
-  warp::Mesh source = read_mesh_file(input.files.at(0), input.source_size, remarks);
-  warp::Mesh destination = read_mesh_file(input.files.at(1), input.destination_size, remarks);
+  warp::Mesh source = read_xmorph_mesh(input.files.at(0), input.source_size, remarks);
+  warp::Mesh destination = read_xmorph_mesh(input.files.at(1), input.destination_size, remarks);
   if (source.columns != destination.columns || source.rows != destination.rows) {
     throw Error(
         ErrorCode::kBadInput, input.files[1].string(),
@@ -265,7 +248,7 @@ std::vector<std::string> import_xmorph(Project& project, const ImportInput& inpu
 
 std::string xmorph_mesh_text(const warp::Mesh& mesh, cv::Size size) {
   warp::Mesh placed = mesh;
-  put_border(placed, kCentre, kCentre, size.width - kCentre, size.height - kCentre);
+  warp::snap_to_outline(placed, {kCentre, kCentre, size.width - 2 * kCentre, size.height - 2 * kCentre});
   std::string text = fmt::format("M2\n{} {}\n", mesh.columns, mesh.rows);
   for (int row = 0; row < mesh.rows; ++row) {
     for (int column = 0; column < mesh.columns; ++column) {

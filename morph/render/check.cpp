@@ -1,5 +1,6 @@
 #include "morph/render/check.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,8 +14,14 @@ namespace morphkit::render {
 namespace {
 
 bool shows(const Renderer& renderer, SideName side, double t) {
-  const double alpha = motion::progress(*project::effective(renderer.project()).dissolve, t);
-  return side == SideName::kSource ? alpha < 1 : alpha > 0;
+  const project::Project& project = renderer.project();
+  const auto shows_with = [&](const project::Influence& influence) {
+    const double alpha = motion::progress(*influence.dissolve, t);
+    return side == SideName::kSource ? alpha < 1 : alpha > 0;
+  };
+  return shows_with(project::effective(project)) ||
+         std::any_of(project.features.begin(), project.features.end(),
+                     [&](const project::Feature& feature) { return shows_with(project::effective(project, feature)); });
 }
 
 /// What lies nearest to the worst fold, put into the finding and named for the message.

@@ -38,7 +38,12 @@ LineMorpher::LineMorpher(const project::Project& project, const Stage& stage)
 }
 
 std::string LineMorpher::description() const {
-  return fmt::format("{} features as {} lines", project_.features.size(), pairs_.size());
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  std::string text = counted(project_.features.size(), "feature") + " as " + counted(pairs_.size(), "line");
+  if (project_.mesh) text += "; the mesh is not used, for the method is lines";
+  return text;
 }
 
 warp::Image LineMorpher::frame(double t) const {

@@ -12,9 +12,6 @@
 namespace morphkit::render {
 namespace {
 
-/// Below this, what two passes lose is not seen.
-constexpr double kVisibleLoss = 0.05;
-
 Finding fold_finding(const warp::Mesh& mesh, const std::vector<warp::MeshFold>& folds, const char* where, double t) {
   const warp::MeshVertex first = folds.front().vertex;
   Finding finding;
@@ -54,20 +51,18 @@ void find_bottleneck(const project::Project& project, const MeshPair& pair, Side
   const MeshPasses passes = choose_passes(project, pair, side);
   if (passes.folds == 0 && passes.area_lost < kVisibleLoss) return;
   const char* const name = side == SideName::kSource ? "source" : "destination";
-  const char* const order = passes.order == warp::PassOrder::kRowsFirst ? "rows" : "columns";
   Finding finding;
   finding.kind = Finding::Kind::kBottleneck;
   finding.where = name;
   finding.t = passes.t;
   finding.count = static_cast<int>(passes.folds);
   finding.area_lost = passes.area_lost;
-  finding.message = fmt::format(
-      "the {} turns so far at t = {:g} that its intermediate image ({} first) lacks {:.0f} % of "
-      "the area",
-      name, passes.t, order, 100 * passes.area_lost);
-  finding.message += passes.folds > 0 ? fmt::format(" and folds over at {} {}: two passes cannot show it", passes.folds,
-                                                    passes.folds == 1 ? "vertex" : "vertices")
-                                      : ": it loses detail there";
+  const std::string what =
+      passes.folds > 0 ? fmt::format("folds over at {} {}: two passes cannot show it", passes.folds,
+                                     passes.folds == 1 ? "vertex" : "vertices")
+                       : fmt::format("lacks {:.0f} % of the area: it loses detail there", 100 * passes.area_lost);
+  finding.message = fmt::format("the {} turns so far at t = {:g} that its intermediate image ({}) {}", name, passes.t,
+                                text_of(passes.order), what);
   findings.push_back(std::move(finding));
 }
 

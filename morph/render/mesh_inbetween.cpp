@@ -15,6 +15,16 @@ cv::Rect2d outline(const warp::Mesh& mesh) {
   return {mesh.vertices.front(), mesh.vertices.back()};
 }
 
+/// In pixels of the picture as it is held: reduced, or as it is in the file.
+warp::Mesh held_mesh(warp::Mesh mesh, const StageSide& side) {
+  const cv::Size held = side.image.size();
+  if (held == side.file_size) return mesh;
+  for (cv::Point2d& vertex : mesh.vertices)
+    vertex = {vertex.x * held.width / side.file_size.width, vertex.y * held.height / side.file_size.height};
+  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(held)});
+  return mesh;
+}
+
 warp::Mesh on_canvas(warp::Mesh mesh, const Placement& placement) {
   for (cv::Point2d& vertex : mesh.vertices) vertex = placement.to_canvas(vertex);
   return mesh;
@@ -47,6 +57,8 @@ MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
   MeshPair pair;
   pair.source_file = mesh_on(project, SideName::kSource, stage.source.file_size);
   pair.destination_file = mesh_on(project, SideName::kDestination, stage.destination.file_size);
+  pair.source_held = held_mesh(pair.source_file, stage.source);
+  pair.destination_held = held_mesh(pair.destination_file, stage.destination);
   pair.source_canvas = on_canvas(pair.source_file, stage.source.file);
   pair.destination_canvas = on_canvas(pair.destination_file, stage.destination.file);
   pair.timings.push_back(project::effective(project));
@@ -86,6 +98,12 @@ std::vector<double> dissolves(const MeshPair& pair, double t) {
   values.reserve(pair.timing.size());
   for (const std::size_t timing : pair.timing) values.push_back(progress[timing]);
   return values;
+}
+
+bool shows(const MeshPair& pair, SideName side, double t) {
+  const std::vector<double> progress = dissolves(pair, t);
+  return std::any_of(progress.begin(), progress.end(),
+                     [&](double alpha) { return side == SideName::kSource ? alpha < 1 : alpha > 0; });
 }
 
 }  // namespace morphkit::render

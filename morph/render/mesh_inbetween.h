@@ -12,11 +12,13 @@ namespace morphkit::render {
 /// The project's mesh on both pictures, border vertices exactly on the borders, with what times its vertices.
 struct MeshPair {
   warp::Mesh source_file, destination_file;      ///< px of the image files
+  warp::Mesh source_held, destination_held;      ///< px of the pictures as the stage holds them
   warp::Mesh source_canvas, destination_canvas;  ///< canvas px
   std::vector<project::Influence> timings;       ///< of the project, then of groups; no member empty
   std::vector<std::size_t> timing;               ///< per vertex: index into timings
 
   const warp::Mesh& file(SideName side) const { return side == SideName::kSource ? source_file : destination_file; }
+  const warp::Mesh& held(SideName side) const { return side == SideName::kSource ? source_held : destination_held; }
 };
 
 /// How far a border vertex may be from its border, px: what rounding in other tools' files amounts to.
@@ -37,5 +39,8 @@ warp::Mesh between(const MeshPair& pair, double t);
 
 /// The dissolve progress of every vertex at t, in [0, 1].
 std::vector<double> dissolves(const MeshPair& pair, double t);
+
+/// Whether anything of that side's picture is in the frame at t.
+bool shows(const MeshPair& pair, SideName side, double t);
 
 }  // namespace morphkit::render

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -14,20 +15,15 @@
 namespace morphkit::render {
 namespace {
 
-constexpr const char* kAllow = "; move it back into order, or render what can be rendered with --allow-folds";
-
 const char* name_of(SideName side) {
   return side == SideName::kSource ? "source" : "destination";
 }
 
-/// In pixels of the picture as it is held: reduced, or as it is in the file.
-warp::Mesh held_mesh(warp::Mesh mesh, const StageSide& side) {
-  const cv::Size held = side.image.size();
-  if (held == side.file_size) return mesh;
-  for (cv::Point2d& vertex : mesh.vertices)
-    vertex = {vertex.x * held.width / side.file_size.width, vertex.y * held.height / side.file_size.height};
-  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(held)});
-  return mesh;
+/// The colour of the edge goes on only if both pictures fill the canvas: if one does not, the outline in between does
+/// not either.
+warp::Border border_of(const project::Project& project, const Stage& stage) {
+  if (project.warp.border) return *project.warp.border;
+  return stage.source.border == warp::Border::kClamp ? stage.destination.border : stage.source.border;
 }
 
 }  // namespace
@@ -39,22 +35,29 @@ const char* text_of(warp::MeshFoldKind kind) {
   return kTexts[static_cast<std::size_t>(kind)];
 }
 
-void require_unfolded(const warp::Mesh& mesh, const std::string& name, const std::string& place) {
+const char* text_of(warp::PassOrder order) {
+  return order == warp::PassOrder::kRowsFirst ? "rows first" : "columns first";
+}
+
+void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std::string& place) {
   const std::vector<warp::MeshFold> folds = warp::find_folds(mesh);
   if (folds.empty()) return;
   const warp::MeshVertex at = folds.front().vertex;
-  throw Error(ErrorCode::kBadInput, fmt::format("{}/{}", place, mesh.index(at.column, at.row)),
-              fmt::format("the {} mesh folds over: the vertex in column {}, row {} {}{}{}", name, at.column, at.row,
-                          text_of(folds.front().kind),
-                          folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : "", kAllow));
+  throw Error(ErrorCode::kBadInput,
+              place.ends_with('/') ? place + std::to_string(mesh.index(at.column, at.row)) : place,
+              fmt::format("{}: the vertex in column {}, row {} {}{}; move it back into order, or render what can be "
+                          "rendered with --allow-folds",
+                          what, at.column, at.row, text_of(folds.front().kind),
+                          folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : ""));
 }
 
 MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order) {
   MeshPasses worst{order, 0, 0, 0};
   for (const double t : kMeshMoments) {
-    const warp::MeshWarp warp(pair.file(side), between(pair, t), {warp::MeshSpline::kLinear, order});
-    const std::size_t folds = warp::find_folds(warp.intermediate(order)).size();
-    const double area_lost = warp.area_lost(order);
+    if (!shows(pair, side, t)) continue;
+    const warp::Mesh to = between(pair, t);
+    const std::size_t folds = warp::find_folds(warp::intermediate_mesh(pair.held(side), to, order)).size();
+    const double area_lost = warp::area_lost(pair.held(side), to, order);
     if (std::tie(folds, area_lost) > std::tie(worst.folds, worst.area_lost)) worst = {order, folds, area_lost, t};
   }
   return worst;
@@ -71,25 +74,23 @@ MeshMorpher::MeshMorpher(const project::Project& project, const Stage& stage, bo
     : project_(project),
       stage_(stage),
       pair_(mesh_pair(project, stage)),
-      source_held_(held_mesh(pair_.source_file, stage.source)),
-      destination_held_(held_mesh(pair_.destination_file, stage.destination)),
+      source_passes_(choose_passes(project, pair_, SideName::kSource)),
+      destination_passes_(choose_passes(project, pair_, SideName::kDestination)),
+      border_(border_of(project, stage)),
       allow_folds_(allow_folds) {
-  if (!allow_folds) {
-    const std::string file = project.file.string();
-    require_unfolded(pair_.source_file, "source", file + ": /mesh/source");
-    require_unfolded(pair_.destination_file, "destination", file + ": /mesh/destination");
-  }
-  source_passes_ = choose_passes(project, pair_, SideName::kSource);
-  destination_passes_ = choose_passes(project, pair_, SideName::kDestination);
+  if (allow_folds) return;
+  const std::string file = project.file.string();
+  require_unfolded(pair_.source_file, "the source mesh folds over", file + ": /mesh/source/");
+  require_unfolded(pair_.destination_file, "the destination mesh folds over", file + ": /mesh/destination/");
 }
 
 std::string MeshMorpher::description() const {
-  const auto order = [](const MeshPasses& passes) {
-    return fmt::format("{} first ({:.1f} % of the area lost between the passes)",
-                       passes.order == warp::PassOrder::kRowsFirst ? "rows" : "columns", 100 * passes.area_lost);
+  const auto told = [](const MeshPasses& passes) {
+    return fmt::format("{} ({:.1f} % of the area lost between the passes)", text_of(passes.order),
+                       100 * passes.area_lost);
   };
   return fmt::format("mesh of {} x {} vertices; source {}, destination {}", pair_.source_file.columns,
-                     pair_.source_file.rows, order(source_passes_), order(destination_passes_));
+                     pair_.source_file.rows, told(source_passes_), told(destination_passes_));
 }
 
 std::size_t MeshMorpher::scratch_bytes() const {
@@ -104,30 +105,20 @@ std::size_t MeshMorpher::scratch_bytes() const {
 void MeshMorpher::require(double t) const {
   if (allow_folds_) return;
   const warp::Mesh mesh = between(pair_, t);
-  const auto refuse = [&](const warp::MeshFold& fold, const std::string& what) {
-    throw Error(ErrorCode::kBadInput, fmt::format("{}: /mesh", project_.file.string()),
-                fmt::format("at t = {:g} {}: the vertex in column {}, row {} {}{}", t, what, fold.vertex.column,
-                            fold.vertex.row, text_of(fold.kind), kAllow));
-  };
-  if (const auto folds = warp::find_folds(mesh); !folds.empty())
-    refuse(folds.front(), "the in-between mesh folds over");
+  const std::string place = project_.file.string() + ": /mesh";
+  require_unfolded(mesh, fmt::format("at t = {:g} the in-between mesh folds over", t), place);
   for (const SideName side : {SideName::kSource, SideName::kDestination}) {
-    const warp::PassOrder order = (side == SideName::kSource ? source_passes_ : destination_passes_).order;
-    const warp::Mesh intermediate =
-        warp::MeshWarp(pair_.file(side), mesh, {warp::MeshSpline::kLinear, order}).intermediate(order);
-    if (const auto folds = warp::find_folds(intermediate); !folds.empty())
-      refuse(folds.front(), fmt::format("the {} turns too far for two passes, its intermediate mesh ({} first) folds "
-                                        "over",
-                                        name_of(side), order == warp::PassOrder::kRowsFirst ? "rows" : "columns"));
+    if (!shows(pair_, side, t)) continue;
+    require_unfolded(warp::intermediate_mesh(pair_.held(side), mesh, order(side)),
+                     fmt::format("at t = {:g} the {} turns too far for two passes, {}, and folds between them", t,
+                                 name_of(side), text_of(order(side))),
+                     place);
   }
 }
 
-warp::Image MeshMorpher::warped(SideName name, const warp::Mesh& to) const {
-  const bool is_source = name == SideName::kSource;
-  const warp::MeshWarp warp(is_source ? source_held_ : destination_held_, to,
-                            {project_.warp.spline, (is_source ? source_passes_ : destination_passes_).order});
-  const StageSide& side = stage_.side(name);
-  return warp.apply(side.image, stage_.size, side.border);
+warp::Image MeshMorpher::warped(SideName side, const warp::Mesh& to) const {
+  const warp::MeshWarp warp(pair_.held(side), to, {project_.warp.spline, order(side)});
+  return warp.apply(stage_.side(side).image, stage_.size, border_);
 }
 
 void MeshMorpher::mix(warp::Image& source, const warp::Image& destination, const warp::Mesh& mesh,
@@ -157,8 +148,7 @@ warp::Image MeshMorpher::frame(double t) const {
 }
 
 warp::Map MeshMorpher::map(double t, SideName side) const {
-  const warp::PassOrder order = (side == SideName::kSource ? source_passes_ : destination_passes_).order;
-  return warp::MeshWarp(pair_.file(side), between(pair_, t), {project_.warp.spline, order}).map(stage_.size);
+  return warp::MeshWarp(pair_.file(side), between(pair_, t), {project_.warp.spline, order(side)}).map(stage_.size);
 }
 
 }  // namespace morphkit::render

@@ -11,13 +11,17 @@ namespace morphkit::render {
 /// since a change on the way would show as a jump.
 inline constexpr double kMeshMoments[] = {0, 0.25, 0.5, 0.75, 1};
 
-/// How one picture goes onto the in-between mesh in one order, at its worst over kMeshMoments.
+/// How one picture goes onto the in-between mesh in one order, at its worst over those of kMeshMoments at which it
+/// shows.
 struct MeshPasses {
   warp::PassOrder order = warp::PassOrder::kRowsFirst;
   std::size_t folds = 0;  ///< vertices of the intermediate mesh that are out of order
   double area_lost = 0;   ///< see warp::MeshWarp::area_lost
   double t = 0;           ///< when
 };
+
+/// Below this, what two passes lose of the area is not seen.
+inline constexpr double kVisibleLoss = 0.05;
 
 /// @param order  kRowsFirst or kColumnsFirst.
 MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order);
@@ -37,6 +41,9 @@ class MeshMorpher : public Morpher {
   std::string description() const override;
 
  private:
+  warp::PassOrder order(SideName side) const {
+    return (side == SideName::kSource ? source_passes_ : destination_passes_).order;
+  }
   warp::Image warped(SideName side, const warp::Mesh& to) const;
   void mix(warp::Image& source, const warp::Image& destination, const warp::Mesh& mesh,
            std::span<const double> dissolve) const;
@@ -44,16 +51,20 @@ class MeshMorpher : public Morpher {
   const project::Project& project_;
   const Stage& stage_;
   MeshPair pair_;
-  warp::Mesh source_held_, destination_held_;  ///< px of the pictures as they are held in memory
   MeshPasses source_passes_, destination_passes_;
+  warp::Border border_;
   bool allow_folds_;
 };
 
-/// @param name  what to call the mesh: "source". @param place  where it stands; the vertex's number is added.
-/// @throws Error kBadInput naming the first vertex that is out of order.
-void require_unfolded(const warp::Mesh& mesh, const std::string& name, const std::string& place);
+/// @param what  begins the sentence: "the source mesh folds over". @param place  for the message; if it ends with a
+/// slash, the vertex's number is added.
+/// @throws Error kBadInput naming the vertex that is out of order most plainly.
+void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std::string& place);
 
-/// What is wrong with a vertex, for people: "lies left of its left neighbour".
+/// What is wrong with a vertex, for people: "is not right of its left neighbour".
 const char* text_of(warp::MeshFoldKind kind);
+
+/// "rows first" or "columns first".
+const char* text_of(warp::PassOrder order);
 
 }  // namespace morphkit::render

@@ -35,7 +35,7 @@ class Renderer {
   cv::Size picture_size(SideName side) const noexcept { return stage().side(side).file_size; }  ///< of the file, px
   const Placement& placement(SideName side) const noexcept { return stage().side(side).file; }
 
-  /// @throws Error kBadInput if the moment t cannot be rendered, naming what is in the way. Cheap beside `frame`.
+  /// @throws Error kBadInput if the moment t cannot be rendered, naming what is in the way. Cost: O(vertices).
   void require(double t) const { morpher_->require(t); }
 
   /// The frame at t in [0, 1]; parallel over rows. t = 0 and 1 give the pictures bit for bit where the canvas has

@@ -232,9 +232,35 @@ TEST(MeshMorpher, ATurnIsABottleneck) {
     return names;
   };
   EXPECT_TRUE(kinds(5).empty());
-  const auto turned_far = kinds(60);
+  const auto turned_far = kinds(70);
   EXPECT_EQ(std::count(turned_far.begin(), turned_far.end(), "bottleneck"), 2);
   EXPECT_EQ(std::count(turned_far.begin(), turned_far.end(), "mesh-fold"), 0);
+}
+
+TEST(MeshMorpher, TheBottleneckIsThatOfThePictureAsItIsHeld) {
+  // Eight times larger than the canvas: in pixels of the file the first pass would have room enough.
+  const cv::Size large(1024, 1024);
+  project::Project project = turning_project(70 * 3.14159265358979 / 180);
+  project.mesh->destination = turned(large, 13, 13, 70 * 3.14159265358979 / 180);
+  project.output.size = cv::Size(128, 128);
+  const Renderer renderer(project, pictures(random_image(large, 25), random_image(large, 26)), {.allow_folds = true});
+  std::size_t bottlenecks = 0;
+  for (const Finding& finding : check(renderer)) bottlenecks += finding.kind == Finding::Kind::kBottleneck ? 1 : 0;
+  EXPECT_EQ(bottlenecks, 2U);
+}
+
+TEST(MeshMorpher, AMomentIsJudgedByThePicturesThatShow) {
+  // The source turns too far at t = 1, where nothing of it is left.
+  const cv::Size size(128, 128);
+  project::Project project = turning_project(0.9);
+  project.mesh->source = turned(size, 13, 13, -0.9);
+  project.influence.dissolve = motion::Timing{motion::LinearEase{}, 0.4, 0.2};
+  const Renderer renderer(project, pictures(random_image(size, 23), random_image(size, 24)));
+  EXPECT_NO_THROW(renderer.require(0));
+  EXPECT_NO_THROW(renderer.require(1));
+  project.influence.dissolve = motion::Timing{motion::StepEase{}, 0.99, 0.01};
+  const Renderer late(project, pictures(random_image(size, 23), random_image(size, 24)));
+  EXPECT_THROW(late.require(0.98), Error);
 }
 
 TEST(MeshMorpher, CheckNamesFoldedVertices) {
