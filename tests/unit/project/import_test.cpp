@@ -272,9 +272,10 @@ TEST_F(Import, BothSidesBecomeTheMeshOfTheProject) {
 
 TEST_F(Import, ReadsOneSideAlone) {
   write_text(folder_ / "a.mesh", kMesh);
-  EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}), parsed(kMesh, {101, 51}));
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}); }).code(), ErrorCode::kIo);
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}); }).code(), ErrorCode::kIo);
+  std::vector<std::string> remarks;
+  EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}, remarks), parsed(kMesh, {101, 51}));
+  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}, remarks); }).code(), ErrorCode::kIo);
+  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}, remarks); }).code(), ErrorCode::kIo);
 }
 
 TEST_F(Import, SidesMustBeAlike) {
