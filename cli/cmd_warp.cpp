@@ -94,7 +94,7 @@ warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size si
   const NamedMesh to = read_mesh(options.mesh, render::SideName::kDestination, size, output);
   const NamedMesh from = from_mesh(options, to.mesh, image, output);
   require_alike(options, from.mesh, to.mesh);
-  const warp::MeshWarp warp(from.mesh, to.mesh, {kSplines.at(options.spline), kOrders.at(options.order)});
+  warp::MeshWarp warp(from.mesh, to.mesh, {kSplines.at(options.spline), kOrders.at(options.order)});
   const char* const order = render::text_of(warp.order());
   if (!options.allow_folds) {
     render::require_unfolded(from.mesh, "the mesh folds over", from.place);

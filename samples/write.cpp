@@ -6,8 +6,8 @@
 #include <string>
 #include <system_error>
 
-#include "morph/error.h"
 #include "morph/atomic_file.h"
+#include "morph/error.h"
 #include "morph/media/image_file.h"
 #include "warp/color.h"
 #include "warp/compare.h"

@@ -144,7 +144,8 @@ void LineKnots::prepare(MeshSpline kind, double most) {
   if (spline != MeshSpline::kLinear) spline_slopes(spline, to, from, slopes);
 }
 
-LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
+LineKnots::Cubic LineKnots::cubic(std::size_t segment) const {
+  const std::size_t i = segment;
   const double width = to[i + 1] - to[i];
   Cubic cubic;
   cubic.c0 = from[i] - to[i];
@@ -160,7 +161,8 @@ LineKnots::Cubic LineKnots::cubic(std::size_t i) const {
   return cubic;
 }
 
-double LineKnots::at(double x, std::size_t& i) const {
+double LineKnots::at(double x, std::size_t& segment) const {
+  std::size_t& i = segment;
   if (x < to.front()) return from.front();
   if (x >= to.back()) return from.back();
   if (i == kUnknown) i = segment_of(to, x);

@@ -56,9 +56,9 @@ struct LineKnots {
 
   void resize(std::size_t count);
   /// Puts both in order by running maximum, `from` cut to [0, most] before, and finds the slopes.
-  void prepare(MeshSpline spline, double most);
-  /// from at x; x is cut to [to.front(), to.back()]. @param segment  begins the search (or kUnknown), receives where x
-  /// was found.
+  void prepare(MeshSpline kind, double most);
+  /// from at x; beyond the knots that of the outermost one. @param segment  begins the search (or kUnknown), receives
+  /// where x was found.
   double at(double x, std::size_t& segment) const;
   /// from at x = 0, 1, ..., edges.size() - 1.
   void edges(std::span<double> edges);

@@ -11,8 +11,8 @@
 #include <memory>
 #include <system_error>
 
-#include "morph/error.h"
 #include "morph/atomic_file.h"
+#include "morph/error.h"
 #include "morph/media/image_file.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"

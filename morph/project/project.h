@@ -177,8 +177,8 @@ std::string to_text(const Project& project);
 void save(const Project& project, const std::filesystem::path& file, bool overwrite = true);
 
 /// What corresponds only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "mesh": {...},
-/// "groups": [...]}, of which "features" or "mesh" must be there, laid over `project` (its images and output stay; "warp"
-/// and "transition" are taken where the file has them). For `morph A B --features F`.
+/// "groups": [...]}, of which "features" or "mesh" must be there, laid over `project` (its images and output stay;
+/// "warp" and "transition" are taken where the file has them). For `morph A B --features F`.
 /// @throws Error as load; `project` is then unchanged.
 void load_features(Project& project, const std::filesystem::path& file);
 

@@ -22,13 +22,17 @@ void read_size(const Cursor& at, Mesh& mesh) {
   }
 }
 
+std::size_t vertex_count(const Mesh& mesh) {
+  return static_cast<std::size_t>(mesh.columns) * static_cast<std::size_t>(mesh.rows);
+}
+
 /// The vertices of one side; none if they are evenly spaced.
 std::vector<cv::Point2d> read_vertices(const Cursor& at, const Mesh& mesh) {
   if (at.is(Kind::kString) && at.string() == "uniform") return {};
-  const std::string wanted = fmt::format("{} vertices [x, y] ({} columns x {} rows, row by row)",
-                                         mesh.columns * mesh.rows, mesh.columns, mesh.rows);
+  const std::string wanted =
+      fmt::format("{} vertices [x, y] ({} columns x {} rows, row by row)", vertex_count(mesh), mesh.columns, mesh.rows);
   if (!at.is(Kind::kArray)) at.fail_expected(wanted + " or \"uniform\"");
-  const auto count = static_cast<std::size_t>(mesh.columns * mesh.rows);
+  const auto count = vertex_count(mesh);
   return read_points(at, count, count, wanted);
 }
 
@@ -40,7 +44,7 @@ cv::Point read_vertex(const Cursor& at, const Mesh& mesh) {
 std::vector<MeshGroup> read_groups(const Cursor& at, const Mesh& mesh, const std::vector<Group>& groups) {
   at.expect_array(0, kMaxFeatures, fmt::format("an array of at most {} groups of vertices", kMaxFeatures));
   const std::set<std::string_view> known = group_ids(groups);
-  const auto count = static_cast<std::size_t>(mesh.columns * mesh.rows);
+  const auto count = vertex_count(mesh);
   std::vector<const std::string*> owner(count, nullptr);
   std::set<std::string_view> seen;
   std::vector<MeshGroup> result;
@@ -59,7 +63,8 @@ std::vector<MeshGroup> read_groups(const Cursor& at, const Mesh& mesh, const std
     MeshGroup entry{id, {}};
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const cv::Point vertex = read_vertex(vertices.item(k), mesh);
-      const std::string*& owned = owner[static_cast<std::size_t>(vertex.y * mesh.columns + vertex.x)];
+      const std::string*& owned = owner[static_cast<std::size_t>(vertex.y) * static_cast<std::size_t>(mesh.columns) +
+                                        static_cast<std::size_t>(vertex.x)];
       if (owned) {
         vertices.item(k).fail(fmt::format("the vertex [{}, {}] is in the group {} already; a vertex is in one at most",
                                           vertex.x, vertex.y, json::shown(*owned)));
