@@ -102,7 +102,8 @@ double worst_difference(const Pixels& a, const Pixels& b) {
 }
 
 bool same_bits(const Pixels& a, const Pixels& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
+  if (a.size() != b.size()) return false;
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Pixel)) == 0;
 }
 
 bool is_finite(const Pixel& pixel) {
