@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <string>
 #include <tuple>
 
@@ -46,6 +47,13 @@ project::Project small(project::Project project) {
   return project;
 }
 
+/// Painted once: painting takes longer than rendering.
+const samples::Sample& painted(const std::string& name) {
+  static std::map<std::string, samples::Sample> known;
+  const auto found = known.find(name);
+  return found != known.end() ? found->second : known.emplace(name, samples::paint(name)).first->second;
+}
+
 void report(const std::string& name, const fs::path& actual, const warp::Image& expected, const warp::Image& rendered) {
   const auto write = [&](const std::string& what, const warp::Image& image) {
     media::WriteOptions options;
@@ -65,7 +73,7 @@ TEST_P(Golden, LooksAsItDid) {
   const test::TemporaryFolder folder;
   fs::create_directories(kReport);
 
-  const project::Project project = small(project::load(samples::write(samples::paint(sample), folder.path(), true)));
+  const project::Project project = small(project::load(samples::write(painted(sample), folder.path(), true)));
   const render::Renderer renderer(project, render::load_pictures(project));
   const fs::path actual_file = folder / (name + ".png");
   media::write_image(actual_file, renderer.frame(t));
@@ -114,7 +122,7 @@ class SampleCheck : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleCheck, HasNoFoldsAndNothingElseToComplainOf) {
   const test::TemporaryFolder folder;
-  const project::Project project = project::load(samples::write(samples::paint(GetParam()), folder.path(), true));
+  const project::Project project = project::load(samples::write(painted(GetParam()), folder.path(), true));
   const render::Renderer renderer(project, render::load_pictures(project));
   for (const render::Finding& finding : render::check(renderer)) ADD_FAILURE() << finding.message;
 }
