@@ -78,8 +78,7 @@ int run_check(const CheckOptions& options, Output& output) {
     if (picture->nonfinite_pixels > 0)
       notes.push_back(
           fmt::format("{}: {} pixels are NaN or infinite", side->image.string(), picture->nonfinite_pixels));
-  if (project.mesh && project::method_of(project) == project::Method::kLines)
-    notes.emplace_back("the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it");
+  if (std::string note = unused_mesh_note(project); !note.empty()) notes.push_back(std::move(note));
   const render::Renderer renderer(project, pictures, {.allow_folds = true});
   const std::vector<render::Finding> findings = render::check(renderer);
   const bool good = std::none_of(findings.begin(), findings.end(), [](const auto& f) { return f.warning; });

@@ -54,16 +54,11 @@ void apply_overrides(const MorphOptions& options, project::Project& project) {
 }
 
 void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
-  const auto warn = [&](const project::Side& side, const media::Picture& picture) {
-    if (picture.nonfinite_pixels > 0)
-      output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there",
-                                 side.image.string(), picture.nonfinite_pixels));
-  };
-  warn(project.source, pictures.source);
-  warn(project.destination, pictures.destination);
+  warn_of_nonfinite(project.source.image, pictures.source, output);
+  warn_of_nonfinite(project.destination.image, pictures.destination, output);
   if (project::method_of(project) != project::Method::kLines) return;
-  if (project.mesh)
-    output.warning("the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it");
+  if (const std::string note = unused_mesh_note(project); !note.empty())
+    output.warning(note);
   else if (project.features.empty())
     output.warning(
         "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
@@ -219,6 +214,17 @@ project::Project project_from(const std::vector<std::filesystem::path>& inputs, 
     throw Error(ErrorCode::kUsage, inputs.front().string(),
                 "is one picture; give two pictures, or a project file that names them");
   return project::load(inputs.front());
+}
+
+void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output) {
+  if (picture.nonfinite_pixels > 0)
+    output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there", file.string(),
+                               picture.nonfinite_pixels));
+}
+
+std::string unused_mesh_note(const project::Project& project) {
+  if (!project.mesh || project::method_of(project) == project::Method::kMesh) return "";
+  return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
 }
 
 cv::Size parse_size(const std::string& text) {

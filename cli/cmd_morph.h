@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/media/image_file.h"
 #include "morph/project/project.h"
 
 namespace CLI {
@@ -43,6 +44,12 @@ int run_morph(const MorphOptions& options, Output& output);
 /// The project that a command's arguments name: a project file, or two pictures with or without features.
 /// @throws Error kUsage if they are neither; as project::load.
 project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features);
+
+/// Tells of pixels that are NaN or infinite, if there are any.
+void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);
+
+/// What to say of a project whose mesh is not used; empty if there is nothing to say.
+std::string unused_mesh_note(const project::Project& project);
 
 /// "1280x720". @throws Error kUsage if it is no size.
 cv::Size parse_size(const std::string& text);

@@ -28,6 +28,7 @@ const std::map<std::string, warp::MeshSpline> kSplines{{"monotone", warp::MeshSp
 const std::map<std::string, warp::PassOrder> kOrders{{"auto", warp::PassOrder::kAuto},
                                                      {"rows-first", warp::PassOrder::kRowsFirst},
                                                      {"columns-first", warp::PassOrder::kColumnsFirst}};
+
 bool is_project(const std::filesystem::path& file) {
   return file.extension() == ".json";
 }
@@ -38,11 +39,8 @@ warp::Mesh project_mesh(const std::filesystem::path& file, render::SideName side
   if (!project.mesh) throw Error(ErrorCode::kBadInput, file.string(), "has no \"mesh\"");
   const project::Side& named = side == render::SideName::kSource ? project.source : project.destination;
   const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
-  warp::Mesh mesh = render::mesh_on(project, side, {info.width, info.height});
-  for (cv::Point2d& vertex : mesh.vertices)
-    vertex = {vertex.x * frame.width / info.width, vertex.y * frame.height / info.height};
-  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(frame)});
-  return mesh;
+  const cv::Size picture(info.width, info.height);
+  return render::brought_to(render::mesh_on(project, side, picture), picture, frame);
 }
 
 /// A mesh with what to call it in messages.
@@ -53,8 +51,7 @@ struct NamedMesh {
 
 NamedMesh read_mesh(const std::filesystem::path& file, render::SideName side, cv::Size frame, Output& output) {
   if (is_project(file))
-    return {project_mesh(file, side, frame),
-            file.string() + (side == render::SideName::kSource ? ": /mesh/source/" : ": /mesh/destination/")};
+    return {project_mesh(file, side, frame), fmt::format("{}: /mesh/{}/", file.string(), render::name_of(side))};
   std::vector<std::string> remarks;
   NamedMesh named{project::read_xmorph_mesh(file, frame, remarks), file.string()};
   for (const std::string& remark : remarks) output.note(remark);
@@ -157,9 +154,7 @@ void add_warp(CLI::App& app, Session& session) {
 int run_warp(const WarpOptions& options, Output& output) {
   require_free(options);
   const media::Picture picture = media::read_picture(options.image);
-  if (picture.nonfinite_pixels > 0)
-    output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there",
-                               options.image.string(), picture.nonfinite_pixels));
+  warn_of_nonfinite(options.image, picture, output);
   const cv::Size size = options.size.empty() ? picture.image.size() : parse_size(options.size);
   const warp::MeshWarp warp = mesh_warp(options, picture.image.size(), size, output);
   stop_if_interrupted();

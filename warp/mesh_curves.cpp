@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "warp/monotone.h"
@@ -13,6 +12,9 @@ namespace {
 /// How much of the distance to the polyline beside it a curve may stray from its own polyline. Below a half, so that
 /// two neighbours that stray towards each other do not meet.
 constexpr double kStray = 0.45;
+
+/// The gap to a neighbour that is not there: the outermost curves have one each.
+constexpr double kFree = 1e300;
 
 /// Knots closer than this count as one.
 constexpr double kNoWidth = 1e-12;
@@ -102,7 +104,6 @@ double CurveFamily::ordered(double linear, double cubic, double gap_before, doub
 }
 
 void CurveFamily::intercepts(double at, Hints& hints, std::span<double> across) const {
-  constexpr double kFree = 1e300;  // the outermost curves have one neighbour
   const std::size_t n = curves();
   Place here = place(0, at, hints);
   double here_linear = linear(here), gap_before = kFree;
@@ -118,7 +119,6 @@ void CurveFamily::intercepts(double at, Hints& hints, std::span<double> across) 
 }
 
 double CurveFamily::intercept(std::size_t curve, double at, Hints& hints) const {
-  constexpr double kFree = 1e300;
   const Place here = place(curve, at, hints);
   const double here_linear = linear(here);
   if (spline_ != MeshSpline::kMonotone) return spline_ == MeshSpline::kLinear ? here_linear : cubic(here);
@@ -145,16 +145,16 @@ void LineKnots::prepare(MeshSpline kind, double most) {
 }
 
 LineKnots::Cubic LineKnots::cubic(std::size_t segment) const {
-  const std::size_t i = segment;
-  const double width = to[i + 1] - to[i];
+  const std::size_t next = segment + 1;
+  const double width = to[next] - to[segment];
   Cubic cubic;
-  cubic.c0 = from[i] - to[i];
+  cubic.c0 = from[segment] - to[segment];
   if (width <= kNoWidth) return cubic;
   cubic.inverse_width = 1 / width;
-  const double rise = from[i + 1] - to[i + 1] - cubic.c0;
+  const double rise = from[next] - to[next] - cubic.c0;
   cubic.c1 = rise;
   if (spline == MeshSpline::kLinear) return cubic;
-  const double start = width * (slopes[i] - 1), end = width * (slopes[i + 1] - 1);
+  const double start = width * (slopes[segment] - 1), end = width * (slopes[next] - 1);
   cubic.c1 = start;
   cubic.c2 = 3 * rise - 2 * start - end;
   cubic.c3 = start + end - 2 * rise;
@@ -162,15 +162,14 @@ LineKnots::Cubic LineKnots::cubic(std::size_t segment) const {
 }
 
 double LineKnots::at(double x, std::size_t& segment) const {
-  std::size_t& i = segment;
   if (x < to.front()) return from.front();
   if (x >= to.back()) return from.back();
-  if (i == kUnknown) i = segment_of(to, x);
-  while (i > 0 && x < to[i]) --i;
-  while (i + 2 < to.size() && x >= to[i + 1]) ++i;
-  const Cubic c = cubic(i);
-  const double u = (x - to[i]) * c.inverse_width;
-  return std::clamp(x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3))), from[i], from[i + 1]);
+  if (segment == kUnknown) segment = segment_of(to, x);
+  while (segment > 0 && x < to[segment]) --segment;
+  while (segment + 2 < to.size() && x >= to[segment + 1]) ++segment;
+  const Cubic c = cubic(segment);
+  const double u = (x - to[segment]) * c.inverse_width;
+  return std::clamp(x + (c.c0 + u * (c.c1 + u * (c.c2 + u * c.c3))), from[segment], from[segment + 1]);
 }
 
 void LineKnots::edges(std::span<double> edges) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMaxCoordinate = 1e12;
 
-/// How far a border vertex may be from the outline, px: rounding.
+/// How far a border vertex may be from the outline, and that from the image, px: rounding.
 constexpr double kOffOutline = 1e-6;
 
 /// Columns that are resampled together. Each is copied into a line of its own; 16 pixels are four cache lines of a
@@ -75,11 +75,10 @@ void validate(const Mesh& from, const Mesh& to) {
     for (const cv::Point2d& vertex : mesh->vertices)
       if (!(std::abs(vertex.x) <= kMaxCoordinate && std::abs(vertex.y) <= kMaxCoordinate))
         throw std::invalid_argument("MeshWarp: a vertex is not finite or too far away");
-  }
-  for (const Mesh* mesh : {&from, &to})
     if (const auto off = off_outline(*mesh, outline_of(*mesh), kOffOutline))
       throw std::invalid_argument("MeshWarp: the border vertex in column " + std::to_string(off->column) + ", row " +
                                   std::to_string(off->row) + " is not on the outline");
+  }
   if (from.columns != to.columns || from.rows != to.rows)
     throw std::invalid_argument("MeshWarp: the meshes differ in size");
 }
@@ -235,7 +234,7 @@ PassOrder MeshWarp::order() const noexcept {
 Image MeshWarp::first_pass(const Image& source, cv::Size size, Border border) const {
   const cv::Size2d outline = outline_of(from()).size();
   if (source.empty() || size.empty()) throw std::invalid_argument("MeshWarp: an empty image");
-  if (std::abs(outline.width - source.cols) > 1e-6 || std::abs(outline.height - source.rows) > 1e-6)
+  if (std::abs(outline.width - source.cols) > kOffOutline || std::abs(outline.height - source.rows) > kOffOutline)
     throw std::invalid_argument("MeshWarp: the image has not the size of the outline of its mesh");
   if (border == Border::kMirror) throw std::invalid_argument("MeshWarp: a mesh has no mirrored border");
   return tables_->turned() ? resample_columns(source, tables_->first(), border, size.height)

@@ -54,8 +54,8 @@ ImportReport import_into(Project& project, const ImportInput& input);
 
 /// Writes what the format can hold. @return remarks: what it cannot hold, a sentence each.
 /// @throws Error kUsage as import_into, and if two of the files are one; kBadInput if the project has not what the
-/// format is for, kIo (nothing is
-///         replaced then that was there, unless only a later one of the files fails to be put in place).
+///         format is for; kIo (nothing is replaced then that was there, unless only a later one of the files fails to
+///         be put in place).
 std::vector<std::string> export_to(const Project& project, const ExportOutput& output);
 
 /// One side of xmorph's meshes, brought to a picture of `size` px; border vertices lie on its border exactly.

@@ -37,8 +37,8 @@ std::string name_nearest(const Renderer& renderer, Finding& fold) {
 void find_map_folds(const Renderer& renderer, SideName side, std::vector<Finding>& findings) {
   Finding worst;
   worst.kind = Finding::Kind::kFold;
-  worst.where = side == SideName::kSource ? "source" : "destination";
-  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+  worst.where = name_of(side);
+  for (const double t : kMoments) {
     if (!shows(renderer, side, t)) continue;
     const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(t, side));
     std::int64_t area_px = 0;

@@ -36,8 +36,9 @@ struct Finding {
 /// "mesh-fold", "bottleneck".
 const char* name_of(Finding::Kind kind);
 
-/// Everything noteworthy, crossings first. Folds are looked for at t = 0, 1/4, 1/2, 3/4 and 1 on each side that shows
-/// at that moment; each side reports its worst. Cost: lines^2 and ten maps of canvas size.
+/// Everything noteworthy. Folds are looked for at kMoments on each side that shows at that moment; each side reports
+/// its worst. Cost: of lines, lines^2 and ten maps of canvas size; of a mesh, O(vertices), with kCatmullRom also the
+/// maps.
 std::vector<Finding> check(const Renderer& renderer);
 
 }  // namespace morphkit::render

@@ -37,7 +37,7 @@ void find_mesh_folds(const MeshPair& pair, std::vector<Finding>& findings) {
   if (!in_source.empty() || !in_destination.empty()) return;
   std::vector<warp::MeshFold> worst;
   double worst_t = 0;
-  for (const double t : kMeshMoments) {
+  for (const double t : kMoments) {
     std::vector<warp::MeshFold> folds = warp::find_folds(between(pair, t));
     if (folds.size() <= worst.size()) continue;
     worst = std::move(folds);
@@ -50,10 +50,9 @@ void find_bottleneck(const project::Project& project, const MeshPair& pair, Side
                      std::vector<Finding>& findings) {
   const MeshPasses passes = choose_passes(project, pair, side);
   if (passes.folds == 0 && passes.area_lost < kVisibleLoss) return;
-  const char* const name = side == SideName::kSource ? "source" : "destination";
   Finding finding;
   finding.kind = Finding::Kind::kBottleneck;
-  finding.where = name;
+  finding.where = name_of(side);
   finding.t = passes.t;
   finding.count = static_cast<int>(passes.folds);
   finding.area_lost = passes.area_lost;
@@ -61,8 +60,8 @@ void find_bottleneck(const project::Project& project, const MeshPair& pair, Side
       passes.folds > 0 ? fmt::format("folds over at {} {}: two passes cannot show it", passes.folds,
                                      passes.folds == 1 ? "vertex" : "vertices")
                        : fmt::format("lacks {:.0f} % of the area: it loses detail there", 100 * passes.area_lost);
-  finding.message = fmt::format("the {} turns so far at t = {:g} that its intermediate image ({}) {}", name, passes.t,
-                                text_of(passes.order), what);
+  finding.message = fmt::format("the {} turns so far at t = {:g} that its intermediate image ({}) {}", finding.where,
+                                passes.t, text_of(passes.order), what);
   findings.push_back(std::move(finding));
 }
 

@@ -15,16 +15,6 @@ cv::Rect2d outline(const warp::Mesh& mesh) {
   return {mesh.vertices.front(), mesh.vertices.back()};
 }
 
-/// In pixels of the picture as it is held: reduced, or as it is in the file.
-warp::Mesh held_mesh(warp::Mesh mesh, const StageSide& side) {
-  const cv::Size held = side.image.size();
-  if (held == side.file_size) return mesh;
-  for (cv::Point2d& vertex : mesh.vertices)
-    vertex = {vertex.x * held.width / side.file_size.width, vertex.y * held.height / side.file_size.height};
-  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(held)});
-  return mesh;
-}
-
 warp::Mesh on_canvas(warp::Mesh mesh, const Placement& placement) {
   for (cv::Point2d& vertex : mesh.vertices) vertex = placement.to_canvas(vertex);
   return mesh;
@@ -52,13 +42,22 @@ warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size pict
   return mesh;
 }
 
+warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
+  if (from == to) return mesh;
+  for (cv::Point2d& vertex : mesh.vertices)
+    vertex = {vertex.x * to.width / from.width, vertex.y * to.height / from.height};
+  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(to)});
+  return mesh;
+}
+
 MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
   const project::Mesh& mesh = *project.mesh;
   MeshPair pair;
   pair.source_file = mesh_on(project, SideName::kSource, stage.source.file_size);
   pair.destination_file = mesh_on(project, SideName::kDestination, stage.destination.file_size);
-  pair.source_held = held_mesh(pair.source_file, stage.source);
-  pair.destination_held = held_mesh(pair.destination_file, stage.destination);
+  pair.source_held = brought_to(pair.source_file, stage.source.file_size, stage.source.image.size());
+  pair.destination_held =
+      brought_to(pair.destination_file, stage.destination.file_size, stage.destination.image.size());
   pair.source_canvas = on_canvas(pair.source_file, stage.source.file);
   pair.destination_canvas = on_canvas(pair.destination_file, stage.destination.file);
   pair.timings.push_back(project::effective(project));

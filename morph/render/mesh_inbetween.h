@@ -30,6 +30,10 @@ inline constexpr double kOutlineTolerancePx = 0.5;
 /// @throws Error kBadInput naming the vertex if a border vertex is not on its border.
 warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size picture);
 
+/// A mesh over a picture of one size, brought to another size; border vertices exactly on the border. Equal sizes leave
+/// it as it is, to the bit.
+warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to);
+
 /// @pre the project has a mesh. @throws Error as mesh_on.
 MeshPair mesh_pair(const project::Project& project, const Stage& stage);
 

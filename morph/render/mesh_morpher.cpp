@@ -15,10 +15,6 @@
 namespace morphkit::render {
 namespace {
 
-const char* name_of(SideName side) {
-  return side == SideName::kSource ? "source" : "destination";
-}
-
 /// The colour of the edge goes on only if both pictures fill the canvas: if one does not, the outline in between does
 /// not either.
 warp::Border border_of(const project::Project& project, const Stage& stage) {
@@ -53,7 +49,7 @@ void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std
 
 MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order) {
   MeshPasses worst{order, 0, 0, 0};
-  for (const double t : kMeshMoments) {
+  for (const double t : kMoments) {
     if (!shows(pair, side, t)) continue;
     const warp::Mesh to = between(pair, t);
     const std::size_t folds = warp::find_folds(warp::intermediate_mesh(pair.held(side), to, order)).size();

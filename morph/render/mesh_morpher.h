@@ -7,11 +7,7 @@
 
 namespace morphkit::render {
 
-/// The moments at which a morph is looked at before it is rendered: the order of passes is chosen once for all frames,
-/// since a change on the way would show as a jump.
-inline constexpr double kMeshMoments[] = {0, 0.25, 0.5, 0.75, 1};
-
-/// How one picture goes onto the in-between mesh in one order, at its worst over those of kMeshMoments at which it
+/// How one picture goes onto the in-between mesh in one order, at its worst over those of kMoments at which it
 /// shows.
 struct MeshPasses {
   warp::PassOrder order = warp::PassOrder::kRowsFirst;
@@ -26,7 +22,8 @@ inline constexpr double kVisibleLoss = 0.05;
 /// @param order  kRowsFirst or kColumnsFirst.
 MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order);
 
-/// The order that `project` asks for, or of both the one with fewer folds, then with less area lost.
+/// For all frames at once, since a change on the way would show as a jump: the order that `project` asks for, or of
+/// both the one with fewer folds, then with less area lost.
 MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideName side);
 
 class MeshMorpher : public Morpher {

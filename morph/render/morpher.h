@@ -11,6 +11,9 @@
 
 namespace morphkit::render {
 
+/// The moments at which a morph is looked at before it is rendered.
+inline constexpr double kMoments[] = {0, 0.25, 0.5, 0.75, 1};
+
 /// Immutable: any number of threads may use one at once. The project and the stage outlive it.
 class Morpher {
  public:

@@ -36,6 +36,10 @@ StageSide make_side(const project::Project& project, const media::Picture& pictu
 
 }  // namespace
 
+const char* name_of(SideName side) {
+  return side == SideName::kSource ? "source" : "destination";
+}
+
 Pictures load_pictures(const project::Project& project) {
   Pictures pictures{load(project, project.source), load(project, project.destination), {}};
   if (const auto* file = std::get_if<std::filesystem::path>(&project.output.background))

@@ -13,6 +13,9 @@ namespace morphkit::render {
 
 enum class SideName { kSource, kDestination };
 
+/// "source" or "destination".
+const char* name_of(SideName side);
+
 /// The two pictures (and the background) of a project, loaded.
 struct Pictures {
   media::Picture source, destination;
