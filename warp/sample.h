@@ -1,8 +1,6 @@
 #pragma once
 // Looking up colours: an image read at the positions that a map gives.
 
-#include <span>
-
 #include "warp/image.h"
 
 namespace morphkit::warp {
@@ -30,8 +28,11 @@ struct SampleOptions {
 /// [0, 1]. Cost: O(pixels x taps), parallel over rows; see bench/sample.
 Image sample(const Image& source, const Map& map, const SampleOptions& options = {});
 
-/// One row of `sample`, on the calling thread. `out` and `positions` have the same length. No allocation.
-void sample_row(const Image& source, std::span<const MapPoint> positions, const SampleOptions& options,
-                std::span<Pixel> out) noexcept;
+/// Rows of a frame that are sampled together. Bands start at multiples of this.
+inline constexpr int kSampleBand = 16;
+
+/// A band of `sample`, on the calling thread: consecutive rows of the map, into rows of the same size. How far a pixel
+/// reaches is told from the positions of this band alone, so the same bands give the same bytes.
+void sample_band(const Image& source, const Map& positions, const SampleOptions& options, Image& out) noexcept;
 
 }  // namespace morphkit::warp

@@ -56,43 +56,51 @@ warp::Image LineMorpher::frame(double t) const {
   const Moment moment{warp::LineField(lines, 2), static_cast<float>(dissolve), local,
                       (local ? least->value : dissolve) < 1, (local ? most->value : dissolve) > 0};
   warp::Image out = warp::pooled_image(stage_.size);
-  warp::for_rows(out.rows, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) render_row(moment, y, {out[y], static_cast<std::size_t>(out.cols)});
-  });
+  warp::for_rows(
+      out.rows,
+      [&](int begin, int end) {
+        warp::Image band = out.rowRange(begin, end);
+        render_band(moment, begin, band);
+      },
+      warp::kSampleBand);
   return out;
 }
 
-void LineMorpher::sample_side(const StageSide& side, std::span<warp::MapPoint> positions,
-                              std::span<warp::Pixel> out) const {
-  to_image(side.held, positions);
-  warp::sample_row(side.image, positions, {project_.warp.filter, side.border}, out);
+void LineMorpher::sample_side(const StageSide& side, warp::Map& positions, warp::Image& out) const {
+  for (int y = 0; y < positions.rows; ++y)
+    to_image(side.held, {positions[y], static_cast<std::size_t>(positions.cols)});
+  warp::sample_band(side.image, positions, {project_.warp.filter, side.border}, out);
 }
 
-void LineMorpher::render_row(const Moment& moment, int y, std::span<warp::Pixel> out) const {
+void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) const {
+  // Kept from band to band; only their sizes matter between uses.
   struct Scratch {
-    std::vector<warp::MapPoint> source, destination;
-    std::vector<warp::Pixel> pixels;
-    std::vector<float> dissolve;
+    warp::Map source, destination;
+    warp::Image pixels;
+    cv::Mat1f dissolve;
   };
-  // Kept from row to row; only its sizes matter between uses.
   thread_local Scratch scratch;
-  scratch.source.resize(out.size());
-  scratch.destination.resize(out.size());
-  scratch.pixels.resize(out.size());
-  scratch.dissolve.resize(moment.local_dissolve ? out.size() : 0);
+  scratch.source.create(out.size());
+  scratch.destination.create(out.size());
+  scratch.pixels.create(out.size());
+  if (moment.local_dissolve) scratch.dissolve.create(out.size());
 
-  const std::array<std::span<warp::MapPoint>, 2> positions{scratch.source, scratch.destination};
-  moment.field.row(y, 0, positions, scratch.dissolve);
-  if (!moment.needs_source) {
-    sample_side(stage_.destination, scratch.destination, out);
-    return;
+  const auto width = static_cast<std::size_t>(out.cols);
+  for (int y = 0; y < out.rows; ++y) {
+    const std::array<std::span<warp::MapPoint>, 2> positions{std::span(scratch.source[y], width),
+                                                             std::span(scratch.destination[y], width)};
+    moment.field.row(top + y, 0, positions,
+                     moment.local_dissolve ? std::span(scratch.dissolve[y], width) : std::span<float>());
   }
+  if (!moment.needs_source) return sample_side(stage_.destination, scratch.destination, out);
   sample_side(stage_.source, scratch.source, out);
   if (!moment.needs_destination) return;
   sample_side(stage_.destination, scratch.destination, scratch.pixels);
-  const std::span<const float> alpha =
-      moment.local_dissolve ? std::span<const float>(scratch.dissolve) : std::span<const float>(&moment.dissolve, 1);
-  dissolve_row(out, scratch.pixels, alpha, project_.blend);
+  for (int y = 0; y < out.rows; ++y) {
+    const std::span<const float> alpha =
+        moment.local_dissolve ? std::span<const float>(scratch.dissolve[y], width) : std::span(&moment.dissolve, 1);
+    dissolve_row({out[y], width}, {scratch.pixels[y], width}, alpha, project_.blend);
+  }
 }
 
 warp::Map LineMorpher::map(double t, SideName side_name) const {

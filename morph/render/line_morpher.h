@@ -1,7 +1,6 @@
 #pragma once
 // Morphing by feature lines: one pass of the field per scanline serves both pictures.
 
-#include <span>
 #include <vector>
 
 #include "morph/render/inbetween.h"
@@ -22,8 +21,8 @@ class LineMorpher : public Morpher {
  private:
   struct Moment;
 
-  void render_row(const Moment& moment, int y, std::span<warp::Pixel> out) const;
-  void sample_side(const StageSide& side, std::span<warp::MapPoint> positions, std::span<warp::Pixel> out) const;
+  void render_band(const Moment& moment, int top, warp::Image& out) const;
+  void sample_side(const StageSide& side, warp::Map& positions, warp::Image& out) const;
 
   const project::Project& project_;
   const Stage& stage_;

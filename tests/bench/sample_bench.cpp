@@ -58,15 +58,18 @@ void sample_frame(benchmark::State& state, Filter filter) {
   const Image& from = source();
   const Map& map = warp_map();
   const SampleOptions options{filter, Border::kTransparent};
-  const std::size_t width = static_cast<std::size_t>(kSize.width);
   Image out(kSize, Pixel::all(0));  // touches the pages
   for (auto _ : state) {
-    for_rows(kSize.height, [&](int begin, int end) {
-      for (int y = begin; y < end; ++y) sample_row(from, {map[y], width}, options, {out[y], width});
-    });
+    for_rows(
+        kSize.height,
+        [&](int begin, int end) {
+          Image band = out.rowRange(begin, end);
+          sample_band(from, map.rowRange(begin, end), options, band);
+        },
+        kSampleBand);
     benchmark::ClobberMemory();
   }
-  if (cv::norm(out, sample(from, map, options), cv::NORM_INF) != 0) throw std::logic_error("sample_row != sample");
+  if (cv::norm(out, sample(from, map, options), cv::NORM_INF) != 0) throw std::logic_error("sample_band != sample");
   count(state);
 }
 

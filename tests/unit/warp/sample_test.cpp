@@ -225,19 +225,21 @@ TEST_P(SampleWith, NonFinitePositionsAreTransparentBlack) {
   }
 }
 
-TEST_P(SampleWith, RowEqualsImage) {
+TEST_P(SampleWith, BandEqualsImage) {
   constexpr unsigned kSeed = 7;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   const Image source = random_image({19, 23}, random);
   for (int width = 1; width <= 67; ++width) {
-    Map map(3, width);
+    Map map(kSampleBand + 3, width);
     for (MapPoint& p : map) p = {random_coordinate(source.cols, random), random_coordinate(source.rows, random)};
     const Image whole = sample(source, map, GetParam());
-    const std::size_t n = static_cast<std::size_t>(width);
-    std::vector<Pixel> row(n);
-    sample_row(source, {map[1], n}, GetParam(), row);
-    ASSERT_EQ(std::memcmp(row.data(), whole[1], n * sizeof(Pixel)), 0) << "width " << width;
+    Image band(3, width);
+    sample_band(source, map.rowRange(kSampleBand, map.rows), GetParam(), band);
+    for (int y = 0; y < band.rows; ++y) {
+      ASSERT_EQ(std::memcmp(band[y], whole[kSampleBand + y], static_cast<std::size_t>(width) * sizeof(Pixel)), 0)
+          << "width " << width;
+    }
   }
 }
 
