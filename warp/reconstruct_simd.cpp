@@ -1,0 +1,408 @@
+// The kernel behind reconstruct_row: positions become addresses and weights a batch at a time, in lanes over pixels;
+// then every pixel is summed in lanes over taps and channels, while the taps of the next batch are fetched.
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "warp/reconstruct.h"
+
+// Vectors are kept in arrays here, which targets without a fixed vector size do not allow; such machines have NEON too.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "warp/reconstruct_simd.cpp"
+#include "hwy/foreach_target.h"
+// After foreach_target.h.
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace morphkit::warp::detail {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+void run_row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border,
+             std::span<Pixel> out) {
+  reference_reconstruct_row(source, positions, kernel, border, out);
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Pixels that are prepared together. A row of a warp wanders over many source rows, which the hardware does not
+/// foresee; this is how far ahead of their use they are fetched.
+constexpr size_t kBatch = 32;
+
+/// What becomes of a pixel.
+enum Fate : int32_t { kPlain, kOnCentre, kAtBorder };
+
+struct Batch {
+  const uint8_t* tap[kBatch];  // the first
+  alignas(64) int32_t x[kBatch], y[kBatch], fate[kBatch];
+  // Bilinear: the fractions, and what a vector that is read from the last of them takes in. Bicubic: four for a pixel.
+  alignas(64) float across[4 * kBatch + 16], down[4 * kBatch];
+  bool any_special, all_special;
+};
+
+/// The source, and the positions whose taps all exist: there nothing need be asked about the border. Counted from the
+/// point at which a pixel's place is [i, i + 1).
+struct Area {
+  const uint8_t* data;
+  size_t step;
+  float begin, end_x, end_y;
+};
+
+template <class Taps>
+Area area_of(const Image& source) {
+  constexpr int kAfter = Taps::kTaps - 1 - Taps::kBefore;
+  // Positions below 2^22 are exact to a quarter pixel and better: nothing is lost by counting from centres.
+  const auto end = [](int size) { return static_cast<float>(std::min(size - kAfter, 1 << 22)); };
+  return {source.data, source.step[0], static_cast<float>(Taps::kBefore), end(source.cols), end(source.rows)};
+}
+
+using Lanes = hn::CappedTag<float, 16>;
+using Lane = hn::Vec<Lanes>;
+
+// A kernel's taps are kTaps x kTaps; the first lies kBefore pixels left of and above the position's floor.
+
+struct NearestTaps {
+  static constexpr int kTaps = 1;
+  static constexpr int kBefore = 0;
+  static constexpr float kCentre = 0;
+
+  static HWY_INLINE void weigh(Lane, size_t, float*) {}
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+};
+
+struct BilinearTaps {
+  static constexpr int kTaps = 2;
+  static constexpr int kBefore = 0;
+  static constexpr float kCentre = 0.5F;
+
+  static HWY_INLINE void weigh(Lane fraction, size_t i, float* to) { hn::Store(fraction, Lanes(), to + i); }
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+};
+
+struct BicubicTaps {
+  static constexpr int kTaps = 4;
+  static constexpr int kBefore = 1;
+  static constexpr float kCentre = 0.5F;
+
+  /// Of tap 1, from which the others' differences are weighed, the weight is 1.
+  static HWY_INLINE void weigh(Lane f, size_t i, float* to) {
+    const Lanes d;
+    const Lane one = hn::Set(d, 1.0F);
+    const Lane half = hn::Set(d, 0.5F);
+    const Lane w0 = hn::Mul(f, hn::Sub(hn::Mul(f, hn::Sub(one, hn::Mul(half, f))), half));
+    const Lane w2 = hn::Mul(f, hn::Add(hn::Mul(f, hn::Sub(hn::Set(d, 2.0F), hn::Mul(hn::Set(d, 1.5F), f))), half));
+    const Lane w3 = hn::Mul(hn::Mul(hn::Mul(half, f), f), hn::Sub(f, one));
+    hn::StoreInterleaved4(w0, one, w2, w3, d, to + 4 * i);
+  }
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+};
+
+/// Positions to places, fates and weights. Pixels that are not plain get taps that exist.
+template <class Taps>
+HWY_INLINE void prepare(const Area& area, const MapPoint* positions, Batch& batch) {
+  const Lanes d;
+  const hn::RebindToSigned<Lanes> di;
+  const Lane begin = hn::Set(d, area.begin);
+  const Lane centre = hn::Set(d, Taps::kCentre);
+  auto any = hn::Zero(di);
+  auto all = hn::Set(di, -1);
+  for (size_t i = 0; i < kBatch; i += hn::Lanes(d)) {
+    Lane x, y;
+    hn::LoadInterleaved2(d, positions->val + 2 * i, x, y);
+    x = hn::Sub(x, centre);
+    y = hn::Sub(y, centre);
+    // False for NaN.
+    const auto inside = hn::And(hn::And(hn::Ge(x, begin), hn::Lt(x, hn::Set(d, area.end_x))),
+                                hn::And(hn::Ge(y, begin), hn::Lt(y, hn::Set(d, area.end_y))));
+    x = hn::IfThenElse(inside, x, begin);
+    y = hn::IfThenElse(inside, y, begin);
+    const auto column = hn::ConvertTo(di, x);
+    const auto row = hn::ConvertTo(di, y);
+    const Lane fraction_x = hn::Sub(x, hn::ConvertTo(d, column));
+    const Lane fraction_y = hn::Sub(y, hn::ConvertTo(d, row));
+    const auto centred = hn::VecFromMask(di, hn::RebindMask(di, hn::Eq(hn::Or(fraction_x, fraction_y), hn::Zero(d))));
+    const auto on_centre = Taps::kTaps == 1 ? hn::Zero(di) : hn::And(centred, hn::Set(di, kOnCentre));
+    const auto fate = hn::IfThenElse(hn::RebindMask(di, inside), on_centre, hn::Set(di, kAtBorder));
+    any = hn::Or(any, fate);
+    all = hn::And(all, hn::VecFromMask(di, hn::Ne(fate, hn::Zero(di))));
+    hn::Store(fate, di, batch.fate + i);
+    hn::Store(hn::Sub(column, hn::Set(di, Taps::kBefore)), di, batch.x + i);
+    hn::Store(hn::Sub(row, hn::Set(di, Taps::kBefore)), di, batch.y + i);
+    Taps::weigh(fraction_x, i, batch.across);
+    Taps::weigh(fraction_y, i, batch.down);
+  }
+  batch.any_special = !hn::AllTrue(di, hn::Eq(any, hn::Zero(di)));
+  batch.all_special = hn::AllTrue(di, hn::Ne(all, hn::Zero(di)));
+  for (size_t i = 0; i < kBatch; ++i) {
+    batch.tap[i] =
+        area.data + static_cast<size_t>(batch.y[i]) * area.step + static_cast<size_t>(batch.x[i]) * sizeof(Pixel);
+  }
+}
+
+/// Downwards through the output, the lowest tap row is usually the one not yet in the cache.
+template <class Taps>
+HWY_INLINE void fetch(const Batch& next, size_t i, size_t step) {
+  __builtin_prefetch(next.tap[i] + (Taps::kTaps - 1) * (step + sizeof(Pixel)));
+}
+
+HWY_INLINE const float* floats(const uint8_t* pixel) {
+  return reinterpret_cast<const float*>(pixel);
+}
+
+HWY_INLINE void NearestTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+  const hn::FixedTag<float, 4> d;
+  for (size_t i = 0; i < kBatch; ++i) {
+    fetch<NearestTaps>(next, i, step);
+    hn::StoreU(hn::LoadU(d, floats(batch.tap[i])), d, out[i].val);
+  }
+}
+
+/// One row of two taps is as long as a vector of AVX2.
+HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+  const hn::CappedTag<float, 8> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto between = [d](V a, V b, V weight) HWY_ATTR { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); };
+  const auto column = [&](size_t i, size_t offset) HWY_ATTR {
+    const uint8_t* tap = batch.tap[i] + offset;
+    return between(hn::LoadU(d, floats(tap)), hn::LoadU(d, floats(tap + step)), hn::Set(d, batch.down[i]));
+  };
+  if constexpr (hn::MaxLanes(hn::CappedTag<float, 8>()) == 8) {
+    alignas(32) constexpr int32_t kExpand[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+    const auto expand = hn::SetTableIndices(d, kExpand);
+    for (size_t i = 0; i < kBatch; i += 2) {
+      fetch<BilinearTaps>(next, i, step);
+      fetch<BilinearTaps>(next, i + 1, step);
+      const V a = column(i, 0);
+      const V b = column(i + 1, 0);
+      const V weight = hn::TableLookupLanes(hn::LoadU(d, batch.across + i), expand);
+      hn::StoreU(between(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a), weight), d, out[i].val);
+    }
+  } else {
+    for (size_t i = 0; i < kBatch; ++i) {
+      fetch<BilinearTaps>(next, i, step);
+      const V weight = hn::Set(d, batch.across[i]);
+      hn::StoreU(between(column(i, 0), column(i, sizeof(Pixel)), weight), d, out[i].val);
+    }
+  }
+}
+
+/// A row of four taps in as many vectors as it needs.
+constexpr size_t kRowLanes = hn::MaxLanes(Lanes());
+constexpr size_t kRowVectors = 16 / kRowLanes;
+
+HWY_INLINE void bicubic_columns(const uint8_t* tap, size_t step, const float* weights, Lane (&columns)[kRowVectors]) {
+  const Lanes d;
+  const Lane w0 = hn::Set(d, weights[0]);
+  const Lane w2 = hn::Set(d, weights[2]);
+  const Lane w3 = hn::Set(d, weights[3]);
+  for (size_t v = 0; v < kRowVectors; ++v, tap += kRowLanes * sizeof(float)) {
+    const Lane centre = hn::LoadU(d, floats(tap + step));
+    const Lane d0 = hn::Sub(hn::LoadU(d, floats(tap)), centre);
+    const Lane d2 = hn::Sub(hn::LoadU(d, floats(tap + 2 * step)), centre);
+    const Lane d3 = hn::Sub(hn::LoadU(d, floats(tap + 3 * step)), centre);
+    columns[v] = hn::Add(centre, hn::Add(hn::Mul(w0, d0), hn::Add(hn::Mul(w2, d2), hn::Mul(w3, d3))));
+  }
+}
+
+/// The weighted sum of four pixels' columns, those of a pixel as (0 + 2) + (1 + 3). Column 1 is what the others are
+/// taken relative to, and enters as it is.
+#if HWY_MAX_BYTES >= 64
+
+HWY_INLINE Lane bicubic_terms(const Batch& batch, size_t i, size_t step) {
+  const Lanes d;
+  const hn::Repartition<uint8_t, Lanes> d8;
+  alignas(64) constexpr int32_t kColumn1[16] = {4, 5, 6, 7, 4, 5, 6, 7, 4, 5, 6, 7, 4, 5, 6, 7};
+  alignas(64) constexpr uint32_t kOthers[16] = {~0U, ~0U, ~0U, ~0U, 0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U};
+  // Block k repeats float k of a block.
+  alignas(64) constexpr uint32_t kExpand[16] = {0x03020100, 0x03020100, 0x03020100, 0x03020100, 0x07060504, 0x07060504,
+                                                0x07060504, 0x07060504, 0x0B0A0908, 0x0B0A0908, 0x0B0A0908, 0x0B0A0908,
+                                                0x0F0E0D0C, 0x0F0E0D0C, 0x0F0E0D0C, 0x0F0E0D0C};
+  const hn::RebindToUnsigned<Lanes> du;
+  Lane columns[1];
+  bicubic_columns(batch.tap[i], step, batch.down + 4 * i, columns);
+  const Lane column_1 = hn::TableLookupLanes(columns[0], hn::SetTableIndices(d, kColumn1));
+  const Lane origin = hn::And(column_1, hn::BitCast(d, hn::Load(du, kOthers)));
+  const auto weights = hn::BitCast(d8, hn::LoadDup128(d, batch.across + 4 * i));
+  const Lane weight = hn::BitCast(d, hn::TableLookupBytes(weights, hn::BitCast(d8, hn::Load(du, kExpand))));
+  return hn::Mul(weight, hn::Sub(columns[0], origin));
+}
+
+HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const Lane& low, const Lane& high, float* out) {
+  const Lanes d;
+  const auto halves = [d](Lane a, Lane b)
+                          HWY_ATTR { return hn::Add(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a)); };
+  const Lane even = halves(bicubic_terms(batch, i, step), bicubic_terms(batch, i + 2, step));
+  const Lane odd = halves(bicubic_terms(batch, i + 1, step), bicubic_terms(batch, i + 3, step));
+  const Lane sum = hn::Add(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd), even),
+                           hn::OddEvenBlocks(odd, hn::SwapAdjacentBlocks(even)));
+  hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out);
+}
+
+#elif HWY_MAX_BYTES >= 32
+
+HWY_INLINE Lane bicubic_half(const Batch& batch, size_t i, size_t step) {
+  const Lanes d;
+  const hn::Repartition<uint8_t, Lanes> d8;
+  const hn::RebindToUnsigned<Lanes> du;
+  alignas(32) constexpr uint32_t kLower[8] = {~0U, ~0U, ~0U, ~0U, 0, 0, 0, 0};
+  alignas(32) constexpr uint32_t kExpand[8] = {0x03020100, 0x03020100, 0x03020100, 0x03020100,
+                                               0x07060504, 0x07060504, 0x07060504, 0x07060504};
+  Lane columns[2];
+  bicubic_columns(batch.tap[i], step, batch.down + 4 * i, columns);
+  const Lane column_1 = hn::ConcatUpperUpper(d, columns[0], columns[0]);
+  const Lane origin = hn::And(column_1, hn::BitCast(d, hn::Load(du, kLower)));
+  const auto weights = hn::BitCast(d8, hn::LoadDup128(d, batch.across + 4 * i));
+  const auto expand = hn::BitCast(d8, hn::Load(du, kExpand));
+  const auto next = hn::Add(expand, hn::Set(d8, uint8_t{8}));
+  const Lane weight_01 = hn::BitCast(d, hn::TableLookupBytes(weights, expand));
+  const Lane weight_23 = hn::BitCast(d, hn::TableLookupBytes(weights, next));
+  return hn::Add(hn::Mul(weight_01, hn::Sub(columns[0], origin)), hn::Mul(weight_23, hn::Sub(columns[1], column_1)));
+}
+
+HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const Lane& low, const Lane& high, float* out) {
+  const Lanes d;
+  for (size_t k = 0; k < 4; k += 2) {
+    const Lane a = bicubic_half(batch, i + k, step);
+    const Lane b = bicubic_half(batch, i + k + 1, step);
+    const Lane sum = hn::Add(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a));
+    hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out + 4 * k);
+  }
+}
+
+#else
+
+HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const Lane& low, const Lane& high, float* out) {
+  const Lanes d;
+  for (size_t k = 0; k < 4; ++k) {
+    Lane columns[4];
+    bicubic_columns(batch.tap[i + k], step, batch.down + 4 * (i + k), columns);
+    const float* weights = batch.across + 4 * (i + k);
+    const auto term = [&](size_t j)
+                          HWY_ATTR { return hn::Mul(hn::Set(d, weights[j]), hn::Sub(columns[j], columns[1])); };
+    const Lane sum = hn::Add(hn::Add(term(0), term(2)), hn::Add(columns[1], term(3)));
+    hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out + 4 * k);
+  }
+}
+
+#endif
+
+HWY_INLINE void BicubicTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+  const Lanes d;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  alignas(16) constexpr float kLow[4] = {-kInfinity, -kInfinity, -kInfinity, 0};
+  alignas(16) constexpr float kHigh[4] = {kInfinity, kInfinity, kInfinity, 1};
+  const Lane low = hn::LoadDup128(d, kLow);
+  const Lane high = hn::LoadDup128(d, kHigh);
+  for (size_t i = 0; i < kBatch; i += 4) {
+    for (size_t k = i; k < i + 4; ++k) fetch<BicubicTaps>(next, k, step);
+    bicubic_four(batch, i, step, low, high, out[i].val);
+  }
+}
+
+template <class Taps>
+class Row {
+ public:
+  Row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border, std::span<Pixel> out)
+      : source_(source),
+        area_(area_of<Taps>(source)),
+        positions_(positions),
+        kernel_(kernel),
+        border_(border),
+        out_(out) {}
+
+  void run() {
+    if (!(area_.begin < area_.end_x && area_.begin < area_.end_y)) {
+      return reference_reconstruct_row(source_, positions_, kernel_, border_, out_);
+    }
+    Batch batches[2];
+    prepare_at(0, batches[0]);
+    const size_t n = positions_.size();
+    for (size_t i = 0, k = 0; i < n; i += kBatch, ++k) {
+      const Batch& batch = batches[k % 2];
+      Batch& next = batches[(k + 1) % 2];
+      if (i + kBatch < n) prepare_at(i + kBatch, next);
+      finish_at(i, batch, i + kBatch < n ? next : batch);
+    }
+  }
+
+ private:
+  void prepare_at(size_t i, Batch& batch) const {
+    if (i + kBatch <= positions_.size()) return prepare<Taps>(area_, positions_.data() + i, batch);
+    MapPoint padded[kBatch];
+    const auto end = std::copy(positions_.begin() + static_cast<ptrdiff_t>(i), positions_.end(), padded);
+    std::fill(end, std::end(padded), positions_.back());
+    prepare<Taps>(area_, padded, batch);
+  }
+
+  void finish_at(size_t i, const Batch& batch, const Batch& next) const {
+    const size_t count = std::min(kBatch, out_.size() - i);
+    if (!batch.all_special) {
+      if (count == kBatch) {
+        Taps::sum(batch, next, area_.step, out_.data() + i);
+      } else {
+        Pixel padded[kBatch];
+        Taps::sum(batch, next, area_.step, padded);
+        std::copy(padded, padded + count, out_.begin() + static_cast<ptrdiff_t>(i));
+      }
+    }
+    if (batch.any_special) finish_special(i, count, batch);
+  }
+
+  void finish_special(size_t i, size_t count, const Batch& batch) const {
+    for (size_t k = 0; k < count; ++k) {
+      if (batch.fate[k] == kOnCentre) {
+        out_[i + k] = *reinterpret_cast<const Pixel*>(batch.tap[k] + Taps::kBefore * (area_.step + sizeof(Pixel)));
+      } else if (batch.fate[k] == kAtBorder) {
+        reference_reconstruct_row(source_, positions_.subspan(i + k, 1), kernel_, border_, out_.subspan(i + k, 1));
+      }
+    }
+  }
+
+  const Image& source_;
+  Area area_;
+  std::span<const MapPoint> positions_;
+  Kernel kernel_;
+  Border border_;
+  std::span<Pixel> out_;
+};
+
+void run_row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border,
+             std::span<Pixel> out) {
+  switch (kernel) {
+    case Kernel::kNearest:
+      return Row<NearestTaps>(source, positions, kernel, border, out).run();
+    case Kernel::kBilinear:
+      return Row<BilinearTaps>(source, positions, kernel, border, out).run();
+    case Kernel::kBicubic:
+      return Row<BicubicTaps>(source, positions, kernel, border, out).run();
+  }
+}
+
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace morphkit::warp::detail
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace morphkit::warp::detail {
+
+HWY_EXPORT(run_row);
+
+void reconstruct_row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border,
+                     std::span<Pixel> out) noexcept {
+  assert(!source.empty());
+  assert(positions.size() == out.size());
+  if (!out.empty()) HWY_DYNAMIC_DISPATCH(run_row)(source, positions, kernel, border, out);
+}
+
+}  // namespace morphkit::warp::detail
+#endif  // HWY_ONCE
