@@ -1,10 +1,11 @@
 #include "morph/media/pixel_codec.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <span>
 
 #include "warp/color.h"
+#include "warp/color_rows.h"
 
 namespace morphkit::media {
 namespace {
@@ -26,21 +27,6 @@ float linear_light(const Transfer& transfer, float stored) noexcept {
   }
   return stored;
 }
-
-const SrgbQuantizer& quantizer_for(SampleType type) {
-  if (type == SampleType::kU8) {
-    static const SrgbQuantizer quantizer(kLargest8);
-    return quantizer;
-  }
-  static const SrgbQuantizer quantizer(kLargest16);
-  return quantizer;
-}
-
-// Buckets of the quantizer: the upper bits of a float's representation, 1024 buckets per power of two, from 2^-24
-// (below half a 16-bit code) to 1.
-constexpr int kBucketShift = 23 - 10;
-constexpr std::uint32_t kFirstBucket = std::bit_cast<std::uint32_t>(0x1p-24F) >> kBucketShift;
-constexpr std::uint32_t kLastBucket = std::bit_cast<std::uint32_t>(1.0F) >> kBucketShift;
 
 }  // namespace
 
@@ -114,62 +100,18 @@ std::int64_t PixelDecoder::decode(const void* row, int width, warp::Pixel* out) 
   return decode_samples(static_cast<const float*>(row), width, out);
 }
 
-SrgbQuantizer::SrgbQuantizer(int largest) : largest_(largest) {
-  threshold_.resize(static_cast<std::size_t>(largest));
-  for (int code = 0; code < largest; ++code) {
-    const double boundary = (code + 0.5) / largest;
-    threshold_[static_cast<std::size_t>(code)] = warp::linear_from_srgb(static_cast<float>(boundary));
-  }
-  for (std::uint32_t bucket = kFirstBucket; bucket <= kLastBucket; ++bucket) {
-    const float begin = std::bit_cast<float>(bucket << kBucketShift);
-    const auto above = std::upper_bound(threshold_.begin(), threshold_.end(), begin);
-    first_.push_back(static_cast<std::uint16_t>(above - threshold_.begin()));
-  }
-}
-
-std::uint16_t SrgbQuantizer::operator()(float linear) const noexcept {
-  if (!(linear >= 0x1p-24F)) return 0;
-  if (linear >= 1.0F) return static_cast<std::uint16_t>(largest_);
-  int code = first_[(std::bit_cast<std::uint32_t>(linear) >> kBucketShift) - kFirstBucket];
-  while (code < largest_ && linear >= threshold_[static_cast<std::size_t>(code)]) ++code;
-  return static_cast<std::uint16_t>(code);
-}
-
-PixelEncoder::PixelEncoder(SampleType type, int channels)
-    : type_(type), channels_(channels), quantizer_(type == SampleType::kFloat ? nullptr : &quantizer_for(type)) {}
-
-template <typename Sample>
-void PixelEncoder::encode_codes(const warp::Pixel* pixels, int width, Sample* row) const noexcept {
-  const SrgbQuantizer& quantize = *quantizer_;
-  for (int x = 0; x < width; ++x, row += channels_) {
-    const warp::Pixel& pixel = pixels[x];
-    const float alpha = pixel[3];
-    // Opaque pixels skip the division, which would be by exactly 1; without coverage there is no colour to tell.
-    const bool divide = channels_ == 4 && alpha != 1.0F;
-    const bool empty = channels_ == 4 && !(alpha > 0);
-    for (int c = 0; c < 3; ++c) {
-      const float color = divide ? pixel[c] / alpha : pixel[c];
-      row[c] = empty ? Sample{0} : static_cast<Sample>(quantize(color));
-    }
-    if (channels_ < 4) continue;
-    const float covered = empty ? 0.0F : std::min(alpha, 1.0F);
-    row[3] = static_cast<Sample>(std::lround(covered * kLargest<Sample>));
-  }
-}
-
 void PixelEncoder::encode(const warp::Pixel* pixels, int width, void* row) const noexcept {
+  const std::span<const warp::Pixel> all(pixels, static_cast<std::size_t>(width));
   switch (type_) {
     case SampleType::kU8:
-      encode_codes(pixels, width, static_cast<std::uint8_t*>(row));
-      return;
+      return warp::srgb_codes(all, channels_, static_cast<std::uint8_t*>(row));
     case SampleType::kU16:
-      encode_codes(pixels, width, static_cast<std::uint16_t*>(row));
-      return;
+      return warp::srgb_codes(all, channels_, static_cast<std::uint16_t*>(row));
     case SampleType::kFloat:
       break;
   }
   float* out = static_cast<float*>(row);
-  for (int x = 0; x < width; ++x, out += channels_) std::copy_n(pixels[x].val, channels_, out);
+  for (const warp::Pixel& pixel : all) out = std::copy_n(pixel.val, channels_, out);
 }
 
 }  // namespace morphkit::media

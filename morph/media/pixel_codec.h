@@ -55,34 +55,16 @@ class PixelDecoder {
   std::vector<float> table_;
 };
 
-/// Nearest sRGB code for linear light, exact: a value lies in code k if it is at or above the linear value of k - 1/2.
-class SrgbQuantizer {
- public:
-  /// @param largest  the largest code, 255 or 65535.
-  explicit SrgbQuantizer(int largest);
-  /// NaN and what lies below 0 give 0; what lies above 1 gives the largest code.
-  std::uint16_t operator()(float linear) const noexcept;
-
- private:
-  int largest_;
-  std::vector<float> threshold_;      ///< threshold_[k]: the smallest value of code k + 1
-  std::vector<std::uint16_t> first_;  ///< code at the beginning of each bucket of values
-};
-
 /// Writes rows of samples: RGB (over black) or RGBA with straight alpha for integers, sRGB and rounded to nearest;
 /// float stays linear and premultiplied.
 class PixelEncoder {
  public:
-  PixelEncoder(SampleType type, int channels);
+  PixelEncoder(SampleType type, int channels) : type_(type), channels_(channels) {}
   void encode(const warp::Pixel* pixels, int width, void* row) const noexcept;
 
  private:
-  template <typename Sample>
-  void encode_codes(const warp::Pixel* pixels, int width, Sample* row) const noexcept;
-
   SampleType type_;
   int channels_;
-  const SrgbQuantizer* quantizer_;
 };
 
 }  // namespace morphkit::media

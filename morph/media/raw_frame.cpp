@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "warp/color.h"
+#include "warp/color_rows.h"
+#include "warp/parallel.h"
 
 namespace morphkit::media {
 namespace {
@@ -36,59 +37,33 @@ const Layout& layout_of(RawFormat format) {
   return kLayouts[static_cast<std::size_t>(format)];
 }
 
-/// One row, display-referred, every value in [0, 1].
-struct Row {
-  explicit Row(int width) : r(width), g(width), b(width), a(width) {}
-  std::vector<float> r, g, b, a;
-};
+// Rows of codes that are made together, a whole number of chroma rows.
+constexpr int kBandRows = 16;
 
-/// Into [0, 1]; NaN becomes 0.
-float unit(float value) {
-  return value > 0.0F ? std::min(value, 1.0F) : 0.0F;
+/// Calls fn(begin, end) for bands of a frame's rows, in parallel.
+template <typename Fn>
+void for_bands(cv::Size size, const Fn& fn) {
+  warp::for_rows(size.height, fn, kBandRows);
 }
 
-void read_row(const warp::Image& image, int y, bool straight_alpha, Row& row) {
-  const warp::Pixel* pixels = image[std::min(y, image.rows - 1)];
-  const int width = static_cast<int>(row.r.size());
-  for (int x = 0; x < width; ++x) {
-    const warp::Pixel& pixel = pixels[std::min(x, image.cols - 1)];
-    row.a[x] = unit(pixel[3]);
-    // Premultiplied colour is the picture over black; straight alpha needs the division, in linear light.
-    const float divisor = straight_alpha && pixel[3] > 0.0F ? pixel[3] : 1.0F;
-    row.r[x] = unit(pixel[0] / divisor);
-    row.g[x] = unit(pixel[1] / divisor);
-    row.b[x] = unit(pixel[2] / divisor);
-  }
-  for (auto* plane : {&row.r, &row.g, &row.b}) warp::srgb_from_linear(*plane);
+/// The row of the image that a row of a frame shows: rows that the image has not repeat its last.
+std::span<const warp::Pixel> row_of(const warp::Image& image, int y) {
+  return {image[std::min(y, image.rows - 1)], static_cast<std::size_t>(image.cols)};
 }
-
-/// Writes codes of one width one after the other.
-template <typename Code>
-class Codes {
- public:
-  explicit Codes(std::vector<std::uint8_t>& bytes, std::size_t first_code = 0)
-      : next_(reinterpret_cast<Code*>(bytes.data()) + first_code) {}
-  /// `value` is in codes, already within their range.
-  void put(float value) { *next_++ = static_cast<Code>(std::lround(value)); }
-
- private:
-  Code* next_;
-};
 
 template <typename Code>
 void put_rgb(const warp::Image& image, const Layout& layout, cv::Size size, std::vector<std::uint8_t>& bytes) {
-  const auto top = static_cast<float>((1 << layout.bits) - 1);
-  Codes<Code> codes(bytes);
-  Row row(size.width);
-  for (int y = 0; y < size.height; ++y) {
-    read_row(image, y, layout.alpha, row);
-    for (int x = 0; x < size.width; ++x) {
-      codes.put(row.r[x] * top);
-      codes.put(row.g[x] * top);
-      codes.put(row.b[x] * top);
-      if (layout.alpha) codes.put(row.a[x] * top);
+  const std::size_t channels = layout.alpha ? 4 : 3;
+  const std::size_t width = channels * static_cast<std::size_t>(size.width);
+  Code* const codes = reinterpret_cast<Code*>(bytes.data());
+  for_bands(size, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      Code* const row = codes + width * static_cast<std::size_t>(y);
+      const std::span<const warp::Pixel> pixels = row_of(image, y);
+      warp::srgb_codes(pixels, static_cast<int>(channels), row);
+      for (std::size_t i = channels * pixels.size(); i < width; ++i) row[i] = row[i - channels];
     }
-  }
+  });
 }
 
 // Rec. ITU-R BT.709-6, items 3.2 and 3.3: the weights of luma and the scales of the colour differences; item 4.6 (and
@@ -96,21 +71,32 @@ void put_rgb(const warp::Image& image, const Layout& layout, cv::Size size, std:
 constexpr float kWeightR = 0.2126F, kWeightG = 0.7152F, kWeightB = 0.0722F;
 constexpr float kScaleCb = 1.8556F, kScaleCr = 1.5748F;
 
-float luma(float r, float g, float b) {
-  return kWeightR * r + kWeightG * g + kWeightB * b;
-}
+/// How the planes of a frame come from display-referred colour.
+struct YuvWeights {
+  warp::CodeWeights y, cb, cr, alpha;
 
-/// The planes of one Y'CbCr frame, filled from the top.
+  explicit YuvWeights(const Layout& layout) {
+    const auto scale = static_cast<float>(1 << (layout.bits - 8));
+    const float luma = 219.0F * scale;
+    const float blue = 224.0F * scale / kScaleCb;
+    const float red = 224.0F * scale / kScaleCr;
+    y = {16.0F * scale, {kWeightR * luma, kWeightG * luma, kWeightB * luma, 0}};
+    cb = {128.0F * scale, {-kWeightR * blue, -kWeightG * blue, (1 - kWeightB) * blue, 0}};
+    cr = {128.0F * scale, {(1 - kWeightR) * red, -kWeightG * red, -kWeightB * red, 0}};
+    alpha = {0, {0, 0, 0, static_cast<float>((1 << layout.bits) - 1)}};
+  }
+};
+
+/// Where the planes of a Y'CbCr frame lie: luma, both colour differences, alpha.
 template <typename Code>
-class YuvPlanes {
- public:
-  YuvPlanes(const Layout& layout, cv::Size size, std::vector<std::uint8_t>& bytes)
-      : layout_(layout),
-        scale_(static_cast<float>(1 << (layout.bits - 8))),
-        y_(bytes),
-        cb_(bytes, luma_codes(size)),
-        cr_(bytes, luma_codes(size) + chroma_codes(layout, size)),
-        alpha_(bytes, luma_codes(size) + 2 * chroma_codes(layout, size)) {}
+struct YuvPlanes {
+  YuvPlanes(const Layout& layout, cv::Size size, std::uint8_t* bytes)
+      : width(static_cast<std::size_t>(size.width)),
+        chroma_width((width + layout.across - 1) / layout.across),
+        y(reinterpret_cast<Code*>(bytes)),
+        cb(y + luma_codes(size)),
+        cr(cb + chroma_codes(layout, size)),
+        alpha(cr + chroma_codes(layout, size)) {}
 
   static std::size_t luma_codes(cv::Size size) { return static_cast<std::size_t>(size.width) * size.height; }
   static std::size_t chroma_codes(const Layout& layout, cv::Size size) {
@@ -118,60 +104,36 @@ class YuvPlanes {
         {(size.width + layout.across - 1) / layout.across, (size.height + layout.down - 1) / layout.down});
   }
 
-  void put_luma_and_alpha(const Row& row) {
-    const auto top = static_cast<float>((1 << layout_.bits) - 1);
-    for (std::size_t x = 0; x < row.r.size(); ++x) {
-      y_.put((16.0F + 219.0F * luma(row.r[x], row.g[x], row.b[x])) * scale_);
-      if (layout_.alpha) alpha_.put(row.a[x] * top);
-    }
-  }
-
-  /// Chroma of a row of the subsampled height: the mean of `upper` and `lower` (the same row where it is not halved).
-  void put_chroma(const Row& upper, const Row& lower) {
-    const std::size_t width = upper.r.size();
-    const auto mean = [&](const std::vector<float> Row::*plane, std::size_t x) {
-      return 0.5F * ((upper.*plane)[x] + (lower.*plane)[x]);
-    };
-    // Halved chroma lies on the even luma columns (chroma_sample_location left, what H.264 and VP9 players assume), so
-    // the filter is the symmetric 1/4 1/2 1/4 around them.
-    const auto across = [&](const std::vector<float> Row::*plane, std::size_t x) {
-      if (layout_.across == 1) return mean(plane, x);
-      const std::size_t left = x == 0 ? 0 : x - 1;
-      const std::size_t right = std::min(x + 1, width - 1);
-      return 0.25F * (mean(plane, left) + mean(plane, right)) + 0.5F * mean(plane, x);
-    };
-    for (std::size_t x = 0; x < width; x += layout_.across) {
-      const float r = across(&Row::r, x);
-      const float g = across(&Row::g, x);
-      const float b = across(&Row::b, x);
-      const float y = luma(r, g, b);
-      cb_.put((128.0F + 224.0F * (b - y) / kScaleCb) * scale_);
-      cr_.put((128.0F + 224.0F * (r - y) / kScaleCr) * scale_);
-    }
-  }
-
- private:
-  const Layout& layout_;
-  float scale_;  ///< codes per 8-bit code
-  Codes<Code> y_, cb_, cr_, alpha_;
+  std::size_t width, chroma_width;
+  Code *y, *cb, *cr, *alpha;
 };
 
 template <typename Code>
 void put_yuv(const warp::Image& image, const Layout& layout, cv::Size size, std::vector<std::uint8_t>& bytes) {
-  YuvPlanes<Code> planes(layout, size, bytes);
-  Row upper(size.width);
-  Row lower(size.width);
-  for (int y = 0; y < size.height; y += layout.down) {
-    read_row(image, y, layout.alpha, upper);
-    planes.put_luma_and_alpha(upper);
-    if (layout.down == 1 || y + 1 == size.height) {
-      planes.put_chroma(upper, upper);
-    } else {
-      read_row(image, y + 1, layout.alpha, lower);
-      planes.put_luma_and_alpha(lower);
-      planes.put_chroma(upper, lower);
+  const YuvPlanes<Code> planes(layout, size, bytes.data());
+  const YuvWeights weights(layout);
+  static_assert(kBandRows % 2 == 0, "a band ends with a row of halved chroma");
+  for_bands(size, [&](int begin, int end) {
+    warp::DisplayRow upper(planes.width);
+    warp::DisplayRow lower(planes.width);
+    warp::DisplayRow mean(planes.chroma_width);
+    const auto put_luma = [&](int y, warp::DisplayRow& row) {
+      const std::size_t first = planes.width * static_cast<std::size_t>(y);
+      warp::to_display(row_of(image, y), layout.alpha, row);
+      warp::weighted_codes(row, weights.y, planes.y + first);
+      if (layout.alpha) warp::weighted_codes(row, weights.alpha, planes.alpha + first);
+    };
+    for (int y = begin; y < end; y += layout.down) {
+      const bool halved = layout.down == 2 && y + 1 < end;
+      put_luma(y, upper);
+      if (halved) put_luma(y + 1, lower);
+      // Halved chroma lies on the even luma columns (chroma_sample_location left, what H.264 and VP9 players assume).
+      warp::mean_row(upper, halved ? lower : upper, layout.across, mean);
+      const std::size_t first = planes.chroma_width * static_cast<std::size_t>(y / layout.down);
+      warp::weighted_codes(mean, weights.cb, planes.cb + first);
+      warp::weighted_codes(mean, weights.cr, planes.cr + first);
     }
-  }
+  });
 }
 
 std::size_t bytes_of(const Layout& layout, cv::Size size) {

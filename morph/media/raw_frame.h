@@ -25,9 +25,9 @@ enum class RawFormat {
 const char* pix_fmt(RawFormat format);
 
 /// The image as one raw frame of `size`, which is at least the image's: what is missing at the right and at the bottom
-/// repeats the last column and row. Formats without alpha get the image over black. Values are rounded to the nearest
-/// code; what does not fit is clamped; NaN counts as 0.
-/// Cost: O(pixels), one thread.
+/// repeats the last column and row. Formats without alpha get the image over black. RGB codes are the nearest ones,
+/// Y'CbCr codes the nearest to what kDisplayTolerance leaves (warp/color_rows.h); what does not fit is clamped; NaN
+/// counts as 0. Cost: O(pixels), parallel over rows; see tests/bench/codec_bench.cpp.
 std::vector<std::uint8_t> raw_frame(const warp::Image& image, RawFormat format, cv::Size size);
 
 }  // namespace morphkit::media

@@ -148,7 +148,9 @@ TEST(RawFrame, ValuesOutsideAndNotANumberAreClamped) {
     };
     EXPECT_EQ(codes({-1.0F, 7.0F, infinity, 1.0F}), expected({0, 255, 255, 255}));
     EXPECT_EQ(codes({nan, -infinity, 1e38F, 2.0F}), expected({0, 0, 255, 255}));
-    EXPECT_EQ(codes({1.0F, nan, 0.0F, nan}), expected({255, 0, 0, 0}));
+    // Where nothing is covered there is no colour, as in an image file.
+    EXPECT_EQ(codes({1.0F, 1.0F, 0.0F, nan}), expected({0, 0, 0, 0}));
+    EXPECT_EQ(codes({1.0F, nan, 0.0F, 1.0F}), expected({255, 0, 0, 255}));
   }
   const Bytes yuv = raw_frame(constant({2, 2}, {9.0F, nan, -9.0F, 1.0F}), RawFormat::kYuv420p, {2, 2});
   EXPECT_EQ(yuv, (Bytes{63, 63, 63, 63, 102, 240}));

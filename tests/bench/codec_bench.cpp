@@ -1,0 +1,99 @@
+// What a 1080p frame costs on its way into a file: its conversion to codes, and the still image formats. Arguments:
+// threads, then what the name says.
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <opencv2/imgproc.hpp>
+
+#include "morph/media/image_file.h"
+#include "morph/media/raw_frame.h"
+#include "samples/samples.h"
+#include "warp/color.h"
+#include "warp/color_rows.h"
+#include "warp/parallel.h"
+
+namespace morphkit::media {
+namespace {
+
+const cv::Size kSize(1920, 1080);
+
+/// A painted portrait with the noise of a camera: how fast a codec is depends on what it is given.
+const warp::Image& frame() {
+  static const warp::Image image = [] {
+    cv::Mat4b large;
+    cv::resize(samples::paint(samples::names().front()).pictures.front().pixels, large, kSize, 0, 0, cv::INTER_CUBIC);
+    std::mt19937 random(42);
+    std::normal_distribution<float> noise(0, 1.0F / 255);
+    warp::Image linear(kSize);
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < kSize.width; ++x) {
+        for (int c = 0; c < 3; ++c)
+          linear(y, x)[c] = warp::linear_from_srgb(static_cast<float>(large(y, x)[c]) / 255 + noise(random));
+        linear(y, x)[3] = 1;
+      }
+    }
+    return linear;
+  }();
+  return image;
+}
+
+void raw(benchmark::State& state, RawFormat format) {
+  warp::set_threads(static_cast<int>(state.range(0)));
+  const warp::Image& image = frame();
+  for (auto _ : state) benchmark::DoNotOptimize(raw_frame(image, format, kSize));
+  state.SetItemsProcessed(state.iterations() * kSize.area());
+  warp::set_threads(0);
+}
+
+/// The conversion alone, by the kernel or by its specification.
+template <typename Code>
+void codes(benchmark::State& state, void (*convert)(std::span<const warp::Pixel>, int, Code*) noexcept) {
+  const warp::Image& image = frame();
+  std::vector<Code> row(static_cast<std::size_t>(kSize.width) * 3);
+  for (auto _ : state) {
+    for (int y = 0; y < kSize.height; ++y) {
+      convert({image[y], static_cast<std::size_t>(kSize.width)}, 3, row.data());
+      benchmark::ClobberMemory();
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kSize.area());
+}
+
+void still(benchmark::State& state, const char* name, Depth depth) {
+  warp::set_threads(static_cast<int>(state.range(0)));
+  WriteOptions options;
+  options.depth = depth;
+  const warp::Image& image = frame();
+  std::size_t bytes = 0;
+  for (auto _ : state) bytes = encode_image(name, image, options).size();
+  state.SetItemsProcessed(state.iterations() * kSize.area());
+  state.counters["bytes"] = static_cast<double>(bytes);
+  warp::set_threads(0);
+}
+
+#define MORPHKIT_BENCH(function, name, ...) \
+  BENCHMARK_CAPTURE(function, name, __VA_ARGS__)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()
+
+MORPHKIT_BENCH(raw, rgb24, RawFormat::kRgb24);
+MORPHKIT_BENCH(raw, rgb48, RawFormat::kRgb48);
+MORPHKIT_BENCH(raw, rgba64, RawFormat::kRgba64);
+MORPHKIT_BENCH(raw, yuv420p, RawFormat::kYuv420p);
+MORPHKIT_BENCH(raw, yuv422p10, RawFormat::kYuv422p10);
+MORPHKIT_BENCH(raw, yuva444p10, RawFormat::kYuva444p10);
+BENCHMARK_CAPTURE(codes, kernel_8, warp::srgb_codes<std::uint8_t>)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(codes, kernel_16, warp::srgb_codes<std::uint16_t>)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(codes, reference_8, warp::reference_srgb_codes<std::uint8_t>)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(codes, reference_16, warp::reference_srgb_codes<std::uint16_t>)->Unit(benchmark::kMillisecond);
+MORPHKIT_BENCH(still, png_8, "frame.png", Depth::k8);
+MORPHKIT_BENCH(still, png_16, "frame.png", Depth::k16);
+MORPHKIT_BENCH(still, tiff_16, "frame.tif", Depth::k16);
+MORPHKIT_BENCH(still, exr_half, "frame.exr", Depth::kHalf);
+MORPHKIT_BENCH(still, jpeg, "frame.jpg", Depth::k8);
+MORPHKIT_BENCH(still, webp, "frame.webp", Depth::k8);
+
+}  // namespace
+}  // namespace morphkit::media
