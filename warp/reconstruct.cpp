@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include "warp/reconstruct_border.h"
 
 namespace morphkit::warp::detail {
 namespace {
@@ -51,36 +51,6 @@ struct Bicubic {
  private:
   float w0_, w2_, w3_;
 };
-
-/// A position on one axis as the pixel before it and the way to the next.
-struct Place {
-  std::int64_t base;
-  float fraction;
-};
-
-/// Finds the place of any finite position, counted from the centre of pixel 0, without overflow: a position farther out
-/// than the widest kernel reaches is replaced by one that sees the same pixels.
-Place place(double position, int size, Border border) {
-  constexpr double kReach = 4;
-  if (border == Border::kMirror) {
-    position = std::fmod(position, 2.0 * size);
-  } else {
-    position = std::clamp(position, -kReach, size + kReach);
-  }
-  const double base = std::floor(position);
-  return {static_cast<std::int64_t>(base), static_cast<float>(position - base)};
-}
-
-/// The pixel that stands at `index` of an axis; -1 if none does.
-int resolve(std::int64_t index, int size, Border border) {
-  if (index >= 0 && index < size) return static_cast<int>(index);
-  if (border == Border::kTransparent) return -1;
-  if (border == Border::kClamp) return index < 0 ? 0 : size - 1;
-  // Reflected at the edge, which lies half a pixel outside the last centre: the edge pixel appears twice.
-  const std::int64_t period = 2 * static_cast<std::int64_t>(size);
-  const std::int64_t phase = ((index % period) + period) % period;
-  return static_cast<int>(phase < size ? phase : period - 1 - phase);
-}
 
 Pixel pixel_at(const Image& source, int x, int y) {
   return x < 0 || y < 0 ? Pixel::all(0) : source(y, x);

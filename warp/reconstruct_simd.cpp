@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "warp/reconstruct.h"
+#include "warp/reconstruct_border.h"
 
 // Vectors are kept in arrays here, which targets without a fixed vector size do not allow; such machines have NEON too.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -35,7 +37,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Pixels that are prepared together. A row of a warp wanders over many source rows, which the hardware does not
 /// foresee; this is how far ahead of their use they are fetched.
-constexpr size_t kBatch = 32;
+constexpr size_t kBatch = 64;
+
+/// Sums are written this many pixels at a time.
+constexpr size_t kGroup = 4;
 
 /// What becomes of a pixel.
 enum Fate : int32_t { kPlain, kOnCentre, kAtBorder };
@@ -75,7 +80,7 @@ struct NearestTaps {
   static constexpr float kCentre = 0;
 
   static HWY_INLINE void weigh(Lane, size_t, float*) {}
-  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out);
 };
 
 struct BilinearTaps {
@@ -84,7 +89,7 @@ struct BilinearTaps {
   static constexpr float kCentre = 0.5F;
 
   static HWY_INLINE void weigh(Lane fraction, size_t i, float* to) { hn::Store(fraction, Lanes(), to + i); }
-  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out);
 };
 
 struct BicubicTaps {
@@ -102,7 +107,7 @@ struct BicubicTaps {
     const Lane w3 = hn::Mul(hn::Mul(hn::Mul(half, f), f), hn::Sub(f, one));
     hn::StoreInterleaved4(w0, one, w2, w3, d, to + 4 * i);
   }
-  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, Pixel* out);
+  static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out);
 };
 
 /// Positions to places, fates and weights. Pixels that are not plain get taps that exist.
@@ -157,16 +162,16 @@ HWY_INLINE const float* floats(const uint8_t* pixel) {
   return reinterpret_cast<const float*>(pixel);
 }
 
-HWY_INLINE void NearestTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+HWY_INLINE void NearestTaps::sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out) {
   const hn::FixedTag<float, 4> d;
-  for (size_t i = 0; i < kBatch; ++i) {
+  for (size_t i = 0; i < count; ++i) {
     fetch<NearestTaps>(next, i, step);
     hn::StoreU(hn::LoadU(d, floats(batch.tap[i])), d, out[i].val);
   }
 }
 
 /// One row of two taps is as long as a vector of AVX2.
-HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out) {
   const hn::CappedTag<float, 8> d;
   using V = hn::Vec<decltype(d)>;
   const auto between = [d](V a, V b, V weight) HWY_ATTR { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); };
@@ -177,7 +182,7 @@ HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t 
   if constexpr (hn::MaxLanes(hn::CappedTag<float, 8>()) == 8) {
     alignas(32) constexpr int32_t kExpand[8] = {0, 0, 0, 0, 1, 1, 1, 1};
     const auto expand = hn::SetTableIndices(d, kExpand);
-    for (size_t i = 0; i < kBatch; i += 2) {
+    for (size_t i = 0; i < count; i += 2) {
       fetch<BilinearTaps>(next, i, step);
       fetch<BilinearTaps>(next, i + 1, step);
       const V a = column(i, 0);
@@ -186,7 +191,7 @@ HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t 
       hn::StoreU(between(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a), weight), d, out[i].val);
     }
   } else {
-    for (size_t i = 0; i < kBatch; ++i) {
+    for (size_t i = 0; i < count; ++i) {
       fetch<BilinearTaps>(next, i, step);
       const V weight = hn::Set(d, batch.across[i]);
       hn::StoreU(between(column(i, 0), column(i, sizeof(Pixel)), weight), d, out[i].val);
@@ -294,14 +299,14 @@ HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const La
 
 #endif
 
-HWY_INLINE void BicubicTaps::sum(const Batch& batch, const Batch& next, size_t step, Pixel* out) {
+HWY_INLINE void BicubicTaps::sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out) {
   const Lanes d;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   alignas(16) constexpr float kLow[4] = {-kInfinity, -kInfinity, -kInfinity, 0};
   alignas(16) constexpr float kHigh[4] = {kInfinity, kInfinity, kInfinity, 1};
   const Lane low = hn::LoadDup128(d, kLow);
   const Lane high = hn::LoadDup128(d, kHigh);
-  for (size_t i = 0; i < kBatch; i += 4) {
+  for (size_t i = 0; i < count; i += 4) {
     for (size_t k = i; k < i + 4; ++k) fetch<BicubicTaps>(next, k, step);
     bicubic_four(batch, i, step, low, high, out[i].val);
   }
@@ -344,26 +349,90 @@ class Row {
 
   void finish_at(size_t i, const Batch& batch, const Batch& next) const {
     const size_t count = std::min(kBatch, out_.size() - i);
-    if (!batch.all_special) {
-      if (count == kBatch) {
-        Taps::sum(batch, next, area_.step, out_.data() + i);
-      } else {
-        Pixel padded[kBatch];
-        Taps::sum(batch, next, area_.step, padded);
-        std::copy(padded, padded + count, out_.begin() + static_cast<ptrdiff_t>(i));
-      }
-    }
+    if (!batch.all_special) sum(batch, next, area_.step, count, out_.data() + i);
     if (batch.any_special) finish_special(i, count, batch);
   }
 
+  static void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out) {
+    if (count % kGroup == 0) return Taps::sum(batch, next, step, count, out);
+    Pixel padded[kBatch];
+    Taps::sum(batch, next, step, (count + kGroup - 1) / kGroup * kGroup, padded);
+    std::copy(padded, padded + count, out);
+  }
+
   void finish_special(size_t i, size_t count, const Batch& batch) const {
+    bool any_at_border = false;
     for (size_t k = 0; k < count; ++k) {
       if (batch.fate[k] == kOnCentre) {
-        out_[i + k] = *reinterpret_cast<const Pixel*>(batch.tap[k] + Taps::kBefore * (area_.step + sizeof(Pixel)));
-      } else if (batch.fate[k] == kAtBorder) {
-        reference_reconstruct_row(source_, positions_.subspan(i + k, 1), kernel_, border_, out_.subspan(i + k, 1));
+        std::memcpy(out_[i + k].val, batch.tap[k] + Taps::kBefore * (area_.step + sizeof(Pixel)), sizeof(Pixel));
       }
+      any_at_border = any_at_border || batch.fate[k] == kAtBorder;
     }
+    if (any_at_border) finish_border(i, count, batch);
+  }
+
+  /// Taps that lie side by side although the source's do not.
+  struct GatheredTaps {
+    Batch batch;
+    alignas(64) float fraction_x[kBatch], fraction_y[kBatch];
+    size_t pixel[kBatch];
+    size_t count = 0;
+    Pixel taps[kBatch][Taps::kTaps * Taps::kTaps];
+  };
+
+  HWY_NOINLINE void finish_border(size_t i, size_t count, const Batch& batch) const {
+    GatheredTaps gathered;
+    for (size_t k = 0; k < count; ++k) {
+      if (batch.fate[k] == kAtBorder) gather(i + k, gathered);
+    }
+    if (gathered.count == 0) return;
+    const size_t rounded = (gathered.count + kGroup - 1) / kGroup * kGroup;
+    for (size_t k = 0; k < kBatch; ++k) {
+      gathered.batch.tap[k] = reinterpret_cast<const uint8_t*>(gathered.taps[std::min(k, gathered.count - 1)]);
+      if (k >= gathered.count) gathered.fraction_x[k] = gathered.fraction_y[k] = 0;
+    }
+    const Lanes d;
+    for (size_t k = 0; k < kBatch; k += hn::Lanes(d)) {
+      Taps::weigh(hn::Load(d, gathered.fraction_x + k), k, gathered.batch.across);
+      Taps::weigh(hn::Load(d, gathered.fraction_y + k), k, gathered.batch.down);
+    }
+    Pixel result[kBatch];
+    Taps::sum(gathered.batch, gathered.batch, Taps::kTaps * sizeof(Pixel), rounded, result);
+    for (size_t k = 0; k < gathered.count; ++k) out_[gathered.pixel[k]] = result[k];
+  }
+
+  /// Adds the taps of a position anywhere, or writes its colour if they are not needed.
+  void gather(size_t i, GatheredTaps& gathered) const {
+    out_[i] = Pixel::all(0);
+    const MapPoint& position = positions_[i];
+    if (!std::isfinite(position[0]) || !std::isfinite(position[1])) return;
+    const Place x = place(static_cast<double>(position[0]) - Taps::kCentre, source_.cols, border_);
+    const Place y = place(static_cast<double>(position[1]) - Taps::kCentre, source_.rows, border_);
+    int columns[Taps::kTaps];
+    int rows[Taps::kTaps];
+    bool any_column = false;
+    bool any_row = false;
+    for (int t = 0; t < Taps::kTaps; ++t) {
+      columns[t] = resolve(x.base - Taps::kBefore + t, source_.cols, border_);
+      rows[t] = resolve(y.base - Taps::kBefore + t, source_.rows, border_);
+      any_column = any_column || columns[t] >= 0;
+      any_row = any_row || rows[t] >= 0;
+    }
+    if (!any_column || !any_row) return;
+    const auto pixel_at = [this](int column, int row) {
+      return column < 0 || row < 0 ? Pixel::all(0) : source_(row, column);
+    };
+    if (Taps::kTaps == 1 || (x.fraction == 0 && y.fraction == 0)) {
+      out_[i] = pixel_at(columns[Taps::kBefore], rows[Taps::kBefore]);
+      return;
+    }
+    Pixel* tap = gathered.taps[gathered.count];
+    for (const int row : rows) {
+      for (const int column : columns) *tap++ = pixel_at(column, row);
+    }
+    gathered.fraction_x[gathered.count] = x.fraction;
+    gathered.fraction_y[gathered.count] = y.fraction;
+    gathered.pixel[gathered.count++] = i;
   }
 
   const Image& source_;
