@@ -1,15 +1,10 @@
 #include "morph/render/dissolve.h"
 
 #include "warp/color.h"
+#include "warp/mix.h"
 
 namespace morphkit::render {
 namespace {
-
-warp::Pixel mix(const warp::Pixel& s, const warp::Pixel& d, float alpha) noexcept {
-  warp::Pixel result;
-  for (int c = 0; c < 4; ++c) result[c] = (1 - alpha) * s[c] + alpha * d[c];
-  return result;
-}
 
 /// Premultiplied linear <-> premultiplied display-referred.
 template <float (*Convert)(float) noexcept>
@@ -25,17 +20,18 @@ warp::Pixel converted(const warp::Pixel& pixel) noexcept {
 
 void dissolve_row(std::span<warp::Pixel> source, std::span<const warp::Pixel> destination, std::span<const float> alpha,
                   project::Blend blend) noexcept {
+  if (blend == project::Blend::kLinear) return warp::mix_row(source, destination, alpha);
   const std::size_t step = alpha.size() == 1 ? 0 : 1;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const float a = alpha[i * step];
     if (a <= 0) continue;
     if (a >= 1) {
       source[i] = destination[i];
-    } else if (blend == project::Blend::kLinear) {
-      source[i] = mix(source[i], destination[i], a);
     } else {
-      source[i] = converted<warp::linear_from_srgb>(
-          mix(converted<warp::srgb_from_linear>(source[i]), converted<warp::srgb_from_linear>(destination[i]), a));
+      warp::Pixel mixed = converted<warp::srgb_from_linear>(source[i]);
+      const warp::Pixel other = converted<warp::srgb_from_linear>(destination[i]);
+      warp::mix_row({&mixed, 1}, {&other, 1}, {&a, 1});
+      source[i] = converted<warp::linear_from_srgb>(mixed);
     }
   }
 }
