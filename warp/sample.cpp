@@ -3,6 +3,7 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "warp/antialias.h"
 #include "warp/parallel.h"
 #include "warp/reconstruct.h"
 
@@ -19,6 +20,9 @@ detail::Kernel kernel_of(Filter filter) {
 void sample_band(const Image& source, const Map& positions, const SampleOptions& options, Image& out) noexcept {
   assert(!source.empty());
   assert(positions.size() == out.size());
+  if (detail::is_antialiasing(options.filter)) {
+    return detail::antialias_band(source, positions, options.filter, options.border, out);
+  }
   const auto width = static_cast<std::size_t>(positions.cols);
   for (int y = 0; y < positions.rows; ++y)
     detail::reconstruct_row(source, {positions[y], width}, kernel_of(options.filter), options.border, {out[y], width});

@@ -5,7 +5,16 @@
 
 namespace morphkit::warp {
 
-enum class Filter { kNearest, kBilinear, kBicubic };
+/// How colours are found. The first three read a point, whatever the map does around it: where it shrinks the picture
+/// they alias. The others take the mean over what lies under the output pixel, and are kBicubic where nothing shrinks.
+enum class Filter {
+  kNearest,
+  kBilinear,
+  kBicubic,   ///< Catmull-Rom
+  kArea,      ///< the mean over the pixel's square
+  kMitchell,  ///< Mitchell and Netravali, B = C = 1/3, radius 2 output px: softer
+  kLanczos    ///< Lanczos-3, separable, radius 3 output px: sharpest; rings at hard edges
+};
 
 /// What lies beyond the edge of the source.
 enum class Border {

@@ -159,7 +159,7 @@ template <typename Warp>
 void measure_plate(benchmark::State& state, const Warp& warp) {
   const Trial& trial = plate_trial();
   for (auto _ : state) {
-    const PlateQuality quality = plate_quality(trial.references, warp(trial));
+    const PlateQuality quality = plate_quality(ZonePlate::plate(), trial.references, warp(trial));
     state.counters["whole"] = quality.whole;
     state.counters["passband"] = quality.passband;
     state.counters["alias_zone"] = quality.alias_zone;

@@ -47,7 +47,7 @@ TEST(MeshQuality, ZonePlate) {
   const Image out = warp.apply(source, size);
   const auto references = reference_pixels(warp, ZonePlate::measured(), kStride, ZonePlate::value);
   const auto [whole, passband, alias_zone] =
-      plate_quality(references, [&](cv::Point at) { return static_cast<double>(out(at)[1]); });
+      plate_quality(ZonePlate::plate(), references, [&](cv::Point at) { return static_cast<double>(out(at)[1]); });
   RecordProperty("whole_db", std::to_string(whole));
   RecordProperty("passband_db", std::to_string(passband));
   RecordProperty("alias_zone_db", std::to_string(alias_zone));

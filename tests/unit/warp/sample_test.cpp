@@ -10,6 +10,7 @@
 #include <numbers>
 #include <ostream>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace morphkit::warp {
@@ -23,7 +24,9 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr std::array kFilters = {Filter::kNearest, Filter::kBilinear, Filter::kBicubic};
+constexpr std::array kPointFilters = {Filter::kNearest, Filter::kBilinear, Filter::kBicubic};
+constexpr std::array kFilters = {Filter::kNearest, Filter::kBilinear, Filter::kBicubic,
+                                 Filter::kArea,    Filter::kMitchell, Filter::kLanczos};
 constexpr std::array kBorders = {Border::kTransparent, Border::kClamp, Border::kMirror};
 
 // ---- the specification, in plain double arithmetic ----
@@ -127,19 +130,23 @@ bool same_bytes(const Image& a, const Image& b) {
 
 class SampleWith : public testing::TestWithParam<SampleOptions> {};
 
-std::vector<SampleOptions> all_options() {
+/// Filters that know nothing of the positions around.
+class PointSampleWith : public testing::TestWithParam<SampleOptions> {};
+
+std::vector<SampleOptions> all_options(std::span<const Filter> filters) {
   std::vector<SampleOptions> options;
-  for (const Filter filter : kFilters) {
+  for (const Filter filter : filters) {
     for (const Border border : kBorders) options.push_back({filter, border});
   }
   return options;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SampleWith, testing::ValuesIn(all_options()));
+INSTANTIATE_TEST_SUITE_P(All, SampleWith, testing::ValuesIn(all_options(kFilters)));
+INSTANTIATE_TEST_SUITE_P(All, PointSampleWith, testing::ValuesIn(all_options(kPointFilters)));
 
 // ---- properties ----
 
-TEST_P(SampleWith, AgreesWithTheSpecification) {
+TEST_P(PointSampleWith, AgreesWithTheSpecification) {
   constexpr unsigned kSeed = 1992;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
@@ -202,7 +209,7 @@ TEST_P(SampleWith, PartOfALargerImageIsAnImage) {
   EXPECT_TRUE(same_bytes(sample(part, map, GetParam()), sample(part.clone(), map, GetParam())));
 }
 
-TEST_P(SampleWith, ConstantStaysConstantInside) {
+TEST_P(PointSampleWith, ConstantStaysConstantInside) {
   constexpr unsigned kSeed = 6;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
@@ -327,7 +334,7 @@ TEST(Sample, MirrorReflectsAtTheEdge) {
   const Image source = random_image({13, 11}, random);
   // Multiples of 1/8 stay exact when reflected; 1/16 off the pixel edges, where nearest has no mirror image.
   std::uniform_int_distribution<int> eighths(0, 13 * 8 - 1);
-  for (const Filter filter : kFilters) {
+  for (const Filter filter : kPointFilters) {
     for (int round = 0; round < 200; ++round) {
       const float x = static_cast<float>(eighths(random)) / 8 + 0.0625F;
       const float y = static_cast<float>(eighths(random) % 88) / 8 + 0.0625F;

@@ -1,0 +1,54 @@
+#pragma once
+// Sampling that looks at the whole area that an output pixel covers in the source. Internal to warp; tests and
+// benchmarks may look inside.
+//
+// Around a pixel the map is taken as affine: J = d(source)/d(output), from differences of the positions of the band. A
+// weight is separable in the pixel's own coordinates (u, v) = J^-1 (source pixel's centre - position):
+//
+//   pixel = sum k(u) k(v) source / sum k(u) k(v).
+//
+// The singular values of J tell how many source pixels go into an output pixel along the two axes of the footprint.
+// They are held in [1, most_stretch]: a footprint never gets smaller than a source pixel, and its cost is bounded.
+// Below kRampBegin a pixel is a point, read by bicubic interpolation; from there to kRampEnd it changes smoothly into
+// its footprint.
+
+#include "warp/sample.h"
+
+namespace morphkit::warp::detail {
+
+/// The larger singular value of J, source px per output px, where a pixel begins to be more than a point and where it
+/// is its whole footprint. A picture that shrinks by a tenth has hardly any detail that could alias; on painted
+/// photographs a later or earlier ramp is worse (docs/methods.md).
+inline constexpr float kRampBegin = 1.1F;
+inline constexpr float kRampEnd = 1.5F;
+
+/// The part of a source pixel's own square that an area's square does without. A photograph's pixels are means over
+/// their squares already; a footprint of the variance of J's square minus all of it would be best for them, none for
+/// pixels that are points. Half serves both.
+inline constexpr float kOwnSquare = 0.5F;
+
+/// Source pixels per output pixel beyond which a footprint grows no more.
+constexpr float most_stretch(Filter filter) {
+  return filter == Filter::kArea ? 16.0F : 8.0F;
+}
+
+/// Positions are held within this, px, so that squares of squares of their differences stay in the range of a float.
+inline constexpr float kFarthestPosition = 0x1p24F;
+
+constexpr bool is_antialiasing(Filter filter) {
+  return filter == Filter::kArea || filter == Filter::kMitchell || filter == Filter::kLanczos;
+}
+
+/// How far antialias_band may be from the reference, for pixels of magnitude 1.
+inline constexpr double kAntialiasTolerance = 2e-4;
+
+/// A band of rows, as warp::sample_band, for filters that are antialiasing. The positions of this band alone tell the
+/// footprints; a position that is not finite counts for nothing.
+/// @pre  sizes are equal, the source is not empty.
+/// Class T: within kAntialiasTolerance of the reference on every instruction set.
+void antialias_band(const Image& source, const Map& positions, Filter filter, Border border, Image& out) noexcept;
+
+/// The specification, in double: every source pixel that could count is asked.
+void reference_antialias_band(const Image& source, const Map& positions, Filter filter, Border border, Image& out);
+
+}  // namespace morphkit::warp::detail
