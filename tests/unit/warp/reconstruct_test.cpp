@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 #include <hwy/tests/hwy_gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -97,7 +100,7 @@ bool same(const Pixels& a, const Pixels& b) {
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (int c = 0; c < 4; ++c) {
       if (std::isnan(a[k][c]) && std::isnan(b[k][c])) continue;
-      if (std::memcmp(&a[k][c], &b[k][c], sizeof(float)) != 0) return false;
+      if (std::bit_cast<std::uint32_t>(a[k][c]) != std::bit_cast<std::uint32_t>(b[k][c])) return false;
     }
   }
   return true;
