@@ -24,7 +24,7 @@ enum class Border {
 };
 
 struct SampleOptions {
-  Filter filter = Filter::kBicubic;
+  Filter filter = Filter::kArea;
   Border border = Border::kTransparent;
 };
 

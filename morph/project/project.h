@@ -89,7 +89,7 @@ struct Warp {
   std::optional<Method> method;                           ///< nothing: see method_of
   warp::MeshSpline spline = warp::MeshSpline::kMonotone;  ///< kMesh only
   warp::PassOrder order = warp::PassOrder::kAuto;         ///< kMesh only
-  warp::Filter filter = warp::Filter::kBicubic;
+  warp::Filter filter = warp::Filter::kArea;
   /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
   std::optional<warp::Border> border;
   bool operator==(const Warp&) const = default;

@@ -57,7 +57,7 @@ constexpr const char* kRoot = R"json({
         "scale": {"$ref": "#/$defs/scale"},
         "between": {"$ref": "#/$defs/between"},
         "turns": {"$ref": "#/$defs/turns"},
-        "filter": {"enum": ["nearest", "bilinear", "bicubic"], "description": "How colours between pixels are found. Default: bicubic."},
+        "filter": {"enum": ["nearest", "bilinear", "bicubic", "area", "mitchell", "lanczos"], "description": "How colours are found: at a point (the first three), or as a mean over what lies under the output pixel, so that nothing aliases where the picture shrinks. Default: area."},
         "border": {"enum": ["auto", "transparent", "clamp", "mirror"], "description": "What lies beyond the edge of a picture. Default: auto, that is clamp where the picture covers the canvas and transparent where it does not."}
       }
     },

@@ -25,7 +25,8 @@ inline constexpr std::pair<std::string_view, warp::LineScale> kScales[] = {{"alo
 inline constexpr std::pair<std::string_view, Between> kBetweens[] = {{"endpoints", Between::kEndpoints},
                                                                      {"centre", Between::kCentre}};
 inline constexpr std::pair<std::string_view, warp::Filter> kFilters[] = {
-    {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic}};
+    {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
+    {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
 inline constexpr std::pair<std::string_view, std::optional<warp::Border>> kBorders[] = {
     {"auto", std::nullopt},
     {"transparent", warp::Border::kTransparent},

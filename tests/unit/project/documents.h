@@ -217,7 +217,7 @@ inline std::vector<Bad> structurally_bad_documents() {
       {with(R"("warp": {"turns": 0.5})"), "/warp/turns", "a whole number"},
       {with(R"("warp": {"between": "center"})"), "/warp/between", "did you mean \"centre\"?"},
       {with(R"("warp": {"scale": "both"})"), "/warp/scale", "expected one of \"along\", \"uniform\""},
-      {with(R"("warp": {"filter": "lanczos"})"), "/warp/filter", "expected one of"},
+      {with(R"("warp": {"filter": "gauss"})"), "/warp/filter", "expected one of"},
       {with(R"("warp": {"border": "repeat"})"), "/warp/border", "expected one of"},
       {with_shape(R"("easy")"), "/transition/shape", "did you mean \"ease\"?"},
       {with_shape("3"), "/transition/shape", "the name of an easing"},

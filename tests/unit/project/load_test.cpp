@@ -111,7 +111,7 @@ TEST(Load, TheSmallestProjectHasTheDefaults) {
   expected.source.image = "a.png";
   expected.destination.image = "b.png";
   EXPECT_TRUE(same_document(project, expected));
-  EXPECT_EQ(project.warp.filter, warp::Filter::kBicubic);
+  EXPECT_EQ(project.warp.filter, warp::Filter::kArea);
   EXPECT_FALSE(project.warp.border);
   EXPECT_EQ(project.output.frames, 48);
   EXPECT_EQ(project.output.fit, Fit::kCover);

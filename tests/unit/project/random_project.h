@@ -225,7 +225,8 @@ class RandomProject {
     if (coin()) warp.method = pick({Method::kLines, Method::kMesh});
     warp.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
     warp.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
-    warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic});
+    warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic, warp::Filter::kArea,
+                        warp::Filter::kMitchell, warp::Filter::kLanczos});
     if (coin()) warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
     Project wanted = project;
     wanted.warp = warp;

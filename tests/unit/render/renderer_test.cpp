@@ -21,7 +21,8 @@ const cv::Size kSize(96, 64);
 TEST(Renderer, EndsAreThePicturesBitForBit) {
   for (const bool with_alpha : {false, true})
     for (const auto between : {project::Between::kEndpoints, project::Between::kCentre})
-      for (const auto filter : {warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic}) {
+      for (const auto filter : {warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic,
+                                warp::Filter::kArea, warp::Filter::kLanczos}) {
         const warp::Image a = random_image(kSize, 1, with_alpha), b = random_image(kSize, 2, with_alpha);
         project::Project project = small_project();
         project.influence.between = between;
