@@ -10,11 +10,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
+#include <deque>
 #include <exception>
+#include <mutex>
 #include <opencv2/core/utility.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <utility>
 
 namespace morphkit::warp {
 namespace {
@@ -57,6 +62,58 @@ struct Item {
   std::exception_ptr failure;
 };
 
+/// A thread that delivers items one after the other. Holds at most `capacity`, the one being delivered included.
+class Delivery {
+ public:
+  Delivery(int capacity, std::function<void(const Item&)> deliver)
+      : capacity_(static_cast<std::size_t>(capacity)), deliver_(std::move(deliver)), thread_([this] { run(); }) {}
+  Delivery(const Delivery&) = delete;
+  Delivery& operator=(const Delivery&) = delete;
+  ~Delivery() { finish(); }
+
+  /// Waits until there is room.
+  void push(Item item) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return items_.size() < capacity_; });
+    items_.push_back(std::move(item));
+    changed_.notify_all();
+  }
+
+  /// Returns when everything has been delivered.
+  void finish() {
+    {
+      const std::lock_guard lock(mutex_);
+      closed_ = true;
+      changed_.notify_all();
+    }
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  void run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [this] { return closed_ || !items_.empty(); });
+      if (items_.empty()) return;
+      Item& item = items_.front();  // others are added behind it
+      lock.unlock();
+      deliver_(item);
+      item = {};
+      lock.lock();
+      items_.pop_front();
+      changed_.notify_all();
+    }
+  }
+
+  const std::size_t capacity_;
+  const std::function<void(const Item&)> deliver_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Item> items_;
+  bool closed_ = false;
+  std::thread thread_;  ///< last: it uses the others
+};
+
 /// One run of the frame pipeline. No exception ever reaches oneTBB: its cancellation would cut short the rows of the
 /// items still in the making.
 class PipelineRun {
@@ -65,17 +122,24 @@ class PipelineRun {
       : count_(count), stages_(stages), cancelled_(cancelled) {}
 
   std::int64_t run(int in_flight) {
+    const int making = made_at_once(in_flight);
+    std::optional<Delivery> delivery;
+    if (making < in_flight) delivery.emplace(in_flight - making, [this](const Item& item) { deliver(item); });
     Arena::get().arena().execute([&] {
       tbb::parallel_pipeline(
-          static_cast<std::size_t>(in_flight),
+          static_cast<std::size_t>(making),
           tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, [this](tbb::flow_control& flow) {
             return next(flow);
           }) & tbb::make_filter<std::int64_t, Item>(tbb::filter_mode::parallel, [this](std::int64_t index) {
             return make(index);
-          }) & tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, [this](const Item& item) {
-            deliver(item);
+          }) & tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, [&](Item item) {
+            if (delivery)
+              delivery->push(std::move(item));
+            else
+              deliver(item);
           }));
     });
+    if (delivery) delivery->finish();
     if (failure_) std::rethrow_exception(failure_);
     if (cancel_failure_) std::rethrow_exception(cancel_failure_);
     return delivered_;
@@ -127,7 +191,7 @@ class PipelineRun {
   std::atomic<bool> stopped_ = false;
   std::int64_t next_ = 0;  ///< used by the serial first stage only
   std::exception_ptr cancel_failure_;
-  std::int64_t delivered_ = 0;  ///< used by the serial last stage only
+  std::int64_t delivered_ = 0;  ///< used by the one who delivers only, as failure_
   std::exception_ptr failure_;
 };
 

@@ -39,13 +39,21 @@ struct PipelineStages {
   std::function<void(std::int64_t index, const std::shared_ptr<void>& item)> deliver;  ///< one at a time, in order
 };
 
-/// Makes items 0 .. count-1 and delivers them in order, with at most `in_flight` alive at once. An exception in a stage
-/// stops the pipeline and is rethrown, that of the first failing item; the items before it have been delivered.
-/// `cancelled` is asked before each item, on one thread at a time (empty: never); true ends the run early, after the
-/// items already begun have been delivered.
+/// Makes items 0 .. count-1 and delivers them in order, with at most `in_flight` alive at once. If there may be
+/// several, they are delivered on a thread of its own beside those of `set_threads`: it mostly waits for a disk or a
+/// pipe, and nobody who could compute waits with it. An exception in a stage stops the pipeline and is rethrown, that
+/// of the first failing item; the items before it have been delivered. `cancelled` is asked before each item, on one
+/// thread at a time (empty: never); true ends the run early, after the items already begun have been delivered.
 /// @return  number of items delivered.
+/// Items that wait for delivery while others are made: in_flight - made_at_once(in_flight).
 /// @throws std::invalid_argument if in_flight is below 1.
 std::int64_t run_pipeline(std::int64_t count, int in_flight, const PipelineStages& stages,
                           const std::function<bool()>& cancelled);
+
+/// Of `in_flight` items, how many can be in the making at once; the others wait to be delivered.
+constexpr int made_at_once(int in_flight) {
+  if (in_flight < 2) return in_flight;
+  return in_flight - (in_flight < 4 ? 1 : 2);
+}
 
 }  // namespace morphkit::warp

@@ -1,5 +1,7 @@
 #include "morph/render/run.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -13,15 +15,27 @@
 namespace morphkit::render {
 namespace {
 
-/// What the frames in flight may take together: enough for two 4K float frames with what their codec holds.
-constexpr std::size_t kFrameMemoryBytes = std::size_t{512} << 20;
+/// What the frames in the making may take together: a sixteenth of the machine's memory, but enough for ten 1080p
+/// frames.
+std::size_t frame_memory_bytes() {
+  constexpr std::size_t kLeast = std::size_t{512} << 20;
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page_bytes = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page_bytes <= 0) return kLeast;
+  return std::max(kLeast, static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes) / 16);
+}
 
 int frames_in_flight(const RunOptions& options, const Renderer& renderer) {
   if (options.in_flight > 0) return options.in_flight;
   // A float frame, and its encoded form at up to 16 bit per channel.
   const std::size_t frame_bytes = renderer.frame_bytes() + static_cast<std::size_t>(renderer.size().area()) * 8;
-  const std::size_t fit = std::max<std::size_t>(1, kFrameMemoryBytes / frame_bytes);
-  return static_cast<int>(std::min<std::size_t>(fit, static_cast<std::size_t>(warp::threads()) + 1));
+  // Two at least: one is encoded while the next is rendered. Codecs run on one thread each, so one frame for every
+  // thread keeps all busy, and one more those that wait for their turn. More would only wait.
+  const std::size_t fit = std::max<std::size_t>(2, frame_memory_bytes() / frame_bytes);
+  const int making = static_cast<int>(std::min<std::size_t>(fit, static_cast<std::size_t>(warp::threads()) + 1));
+  int in_flight = making;
+  while (warp::made_at_once(in_flight) < making) ++in_flight;
+  return in_flight;
 }
 
 }  // namespace

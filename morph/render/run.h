@@ -20,13 +20,15 @@ struct Progress {
 struct RunOptions {
   std::vector<int> frames;  ///< frame numbers, rising
   bool resume = false;      ///< skip frames that are already there
-  int in_flight = 0;        ///< frames alive at once; 0: as many as keep the threads busy and memory small
+  int in_flight = 0;        ///< frames alive at once; 0: as many as keep the threads busy and memory allows
   std::function<void(const Progress&)> on_progress;
   std::function<bool()> cancelled;
 };
 
 /// Renders frames into a sink and finishes it. Frames are encoded while others are rendered and reach the sink in
-/// order. Memory: the pictures and `in_flight` frames, whatever the number of frames.
+/// order, on a thread that does nothing else. Memory: the pictures and `in_flight` frames, whatever the number of
+/// frames: threads + 1 in the making, fewer if they do not fit into a sixteenth of the machine's memory (or 512 MiB),
+/// and two encoded ones.
 /// @throws Error kInterrupted if cancelled before the end, after the frames in work were delivered.
 Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions& options);
 
