@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "morph/atomic_file.h"
 #include "morph/error.h"
 #include "morph/media/video_format.h"
 #include "morph/media/video_sink.h"
@@ -30,15 +31,14 @@ class FileSink final : public FrameSink {
     if (image.size() != options_.size)
       throw std::invalid_argument(fmt::format("frame {} is {}x{} px, the sink {}x{} px", frame, image.cols, image.rows,
                                               options_.size.width, options_.size.height));
-    write_image(file(frame), image, options_.image);
-    return {};
+    return encode_image(file(frame), image, options_.image);
   }
 
-  void write(int /*frame*/, Packet /*packet*/) override {}
+  void write(int frame, Packet packet) override { write_file(file(frame), packet, options_.image.overwrite); }
   void finish() override {}
 
   bool has(int frame) const override {
-    // write_image renames complete files into place, so a file that is there is whole, if it is a frame of ours at
+    // write_file renames complete files into place, so a file that is there is whole, if it is a frame of ours at
     // all: anything else under that name has another size or is no image.
     const fs::path name = file(frame);
     std::error_code error;
@@ -111,6 +111,9 @@ std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& 
   check_folder(output);
   // A .gif is an animation unless its name says that it is one of many.
   if (video != nullptr && !numbered) return std::make_unique<VideoSink>(output, *video, options);
+  if (!options.preset.empty())
+    throw Error(ErrorCode::kUsage, output.string(), "images have no presets; they are for .mp4 and .webm");
+  check_write_options(output, options.image);
   return std::make_unique<FileSink>(output, std::move(pattern), options);
 }
 

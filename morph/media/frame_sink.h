@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "morph/media/frame_pattern.h"
@@ -17,6 +18,7 @@ struct SinkOptions {
   int fps_num = 24, fps_den = 1;  ///< rational rate
   WriteOptions image;             ///< for frame files; `image.overwrite` holds for videos too
   int video_quality = -1;         ///< CRF where the codec has one; -1: a good default
+  std::string preset;             ///< how long the encoder of a video may think; empty: a good default
   bool has_alpha = false;         ///< whether frames may be transparent; formats without alpha get them over black
 };
 
@@ -28,9 +30,10 @@ class FrameSink {
   virtual ~FrameSink() = default;
   using Packet = std::vector<std::uint8_t>;
 
-  /// @param image  of the sink's size. @throws std::invalid_argument if it is not; Error as write_image does.
+  /// @param image  of the sink's size. @throws std::invalid_argument if it is not; Error as encode_image does.
   virtual Packet encode(int frame, const warp::Image& image) = 0;
-  /// @throws Error kFailed or kIo with ffmpeg's last lines if it has died.
+  /// @param packet  what `encode` gave for this frame.
+  /// @throws Error as write_image does; for videos kFailed or kIo with ffmpeg's last lines if it has died.
   virtual void write(int frame, Packet packet) = 0;
   /// @throws Error as write; kFailed if no frame was written to a video.
   virtual void finish() = 0;
@@ -45,8 +48,9 @@ class FrameSink {
 /// `.mkv` (FFV1), `.mov` (ProRes), `.gif`, `.apng`; a plain image name for a single frame (`single_frame`).
 /// video_format.h says how each kind of video is made.
 /// @throws Error kUsage for an unknown kind, a name without a place for the frame number, or an option that the kind
-///         has not; kIo if ffmpeg is missing, the folder is missing or cannot be written, or the video exists and
-///         `options.image.overwrite` is off. Frame files that exist are refused one by one, by `encode`.
+///         has not (quality, preset, depth, compression); kIo if ffmpeg is missing, the folder is missing or cannot be
+///         written, or the video exists and `options.image.overwrite` is off. Frame files that exist are refused one by
+///         one, by `write`.
 std::unique_ptr<FrameSink> open_sink(const std::filesystem::path& output, const SinkOptions& options,
                                      bool single_frame);
 

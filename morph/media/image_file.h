@@ -59,11 +59,15 @@ Depth depth_from(const std::string& name);
 
 struct WriteOptions {
   Depth depth = Depth::kAuto;
+  int compression = -1;                      ///< PNG, TIFF, EXR: 0 none .. 9 smallest; -1: fast (image_writer.cpp)
   int quality = 95;                          ///< JPEG and WebP, 1..100; 100 is lossless for WebP
   std::optional<bool> alpha;                 ///< store alpha if the format can; unset: if a pixel is not opaque
   std::shared_ptr<const Metadata> metadata;  ///< carried over if given
   bool overwrite = false;
 };
+
+/// Refuses options that no image of this name could be written with. @throws Error kUsage.
+void check_write_options(const std::filesystem::path& name, const WriteOptions& options);
 
 /// Writes one image, atomically: a temporary name beside it, then a rename. Formats without alpha get the image over
 /// black. @throws Error kIo; kUsage for an unknown extension or a depth that the format has not; kIo if the file exists

@@ -16,7 +16,8 @@ struct WritableFormat {
   std::vector<std::string> names;  ///< extensions, lower case, with the dot
   std::vector<Depth> depths;       ///< what it can hold; the first is the usual one
   bool alpha = false;
-  int largest_side = 0;  ///< px
+  int largest_side = 0;      ///< px
+  bool compression = false;  ///< whether it knows levels of compression
 };
 
 /// The format of the file's extension, in any case; null if morphkit writes none such.

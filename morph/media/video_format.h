@@ -19,7 +19,10 @@ namespace morphkit::media {
 /// | .mkv      | FFV1, RGB 16 bit, lossless                      | kept               |                        |
 /// | .mov      | ProRes 422 HQ 10 bit; with alpha 4444           | kept               |                        |
 /// | .gif      | 256 colours per frame, for ever                 | kept, on or off    |                        |
-/// | .apng     | RGB 8 bit, lossless, for ever                   | kept               |                        |
+/// | .apng     | RGB 8 bit, lossless, for ever                   | kept               | compression 0..9       |
+///
+/// Presets, ffmpeg's own names: those of x264 for .mp4 (ultrafast .. placebo, default veryfast), the deadlines of
+/// libvpx for .webm (realtime, the default, good, best).
 struct VideoFormat {
   const char* extension;  ///< lower case, with the dot
   const char* muxer;      ///< ffmpeg's -f
@@ -43,7 +46,7 @@ std::string video_extensions();
 
 /// ffmpeg and its arguments: raw frames on standard input, the video in `file`. The same options and the same frames
 /// give the same bytes.
-/// @throws Error kUsage, naming `shown`, for a quality or frame rate that the kind has not.
+/// @throws Error kUsage, naming `shown`, for a quality, preset, compression or frame rate that the kind has not.
 std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOptions& options,
                                         const std::filesystem::path& file, const std::filesystem::path& shown);
 

@@ -1,5 +1,5 @@
-// What a 1080p frame costs on its way into a file: its conversion to codes, and the still image formats. Arguments:
-// threads, then what the name says.
+// What a 1080p frame costs on its way into a file: its conversion to codes (argument: threads), and the still
+// image formats.
 
 #include <cmath>
 #include <random>
@@ -63,10 +63,12 @@ void codes(benchmark::State& state, void (*convert)(std::span<const warp::Pixel>
   state.SetItemsProcessed(state.iterations() * kSize.area());
 }
 
+/// Argument: the level of compression, -1 for the default.
 void still(benchmark::State& state, const char* name, Depth depth) {
-  warp::set_threads(static_cast<int>(state.range(0)));
+  warp::set_threads(1);
   WriteOptions options;
   options.depth = depth;
+  options.compression = static_cast<int>(state.range(0));
   const warp::Image& image = frame();
   std::size_t bytes = 0;
   for (auto _ : state) bytes = encode_image(name, image, options).size();
@@ -88,12 +90,14 @@ BENCHMARK_CAPTURE(codes, kernel_8, warp::srgb_codes<std::uint8_t>)->Unit(benchma
 BENCHMARK_CAPTURE(codes, kernel_16, warp::srgb_codes<std::uint16_t>)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(codes, reference_8, warp::reference_srgb_codes<std::uint8_t>)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(codes, reference_16, warp::reference_srgb_codes<std::uint16_t>)->Unit(benchmark::kMillisecond);
-MORPHKIT_BENCH(still, png_8, "frame.png", Depth::k8);
-MORPHKIT_BENCH(still, png_16, "frame.png", Depth::k16);
-MORPHKIT_BENCH(still, tiff_16, "frame.tif", Depth::k16);
-MORPHKIT_BENCH(still, exr_half, "frame.exr", Depth::kHalf);
-MORPHKIT_BENCH(still, jpeg, "frame.jpg", Depth::k8);
-MORPHKIT_BENCH(still, webp, "frame.webp", Depth::k8);
+#define MORPHKIT_STILL(name, ...) \
+  BENCHMARK_CAPTURE(still, name, __VA_ARGS__)->Unit(benchmark::kMillisecond)->UseRealTime()->Arg(-1)
+MORPHKIT_STILL(png_8, "frame.png", Depth::k8)->Arg(1)->Arg(2)->Arg(6);
+MORPHKIT_STILL(png_16, "frame.png", Depth::k16)->Arg(1)->Arg(2);
+MORPHKIT_STILL(tiff_16, "frame.tif", Depth::k16)->Arg(1)->Arg(3)->Arg(6);
+MORPHKIT_STILL(exr_half, "frame.exr", Depth::kHalf)->Arg(1)->Arg(3)->Arg(4);
+MORPHKIT_STILL(jpeg, "frame.jpg", Depth::k8);
+MORPHKIT_STILL(webp, "frame.webp", Depth::k8);
 
 }  // namespace
 }  // namespace morphkit::media

@@ -179,6 +179,47 @@ TEST(ImageRoundTrip, ThreadsAndRepetitionsGiveTheSameBytes) {
   }
 }
 
+TEST(ImageRoundTrip, CompressionChangesTheSizeAlone) {
+  const Folder folder;
+  // Smooth with a pattern that repeats: something to gain for filters, runs and long matches.
+  warp::Image image(90, 160);
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x)
+      image(y, x) = {static_cast<float>(x) / 160, static_cast<float>(y % 7) / 7, static_cast<float>(x * y % 31) / 31,
+                     1};
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    SCOPED_TRACE(name);
+    std::vector<std::size_t> sizes;
+    WriteOptions options;
+    options.overwrite = true;
+    write_image(folder / name, image, options);
+    const warp::Image usual = read_picture(folder / name).image;
+    const std::size_t usual_size = bytes_of(folder / name).size();
+    for (const int level : {0, 1, 9}) {
+      options.compression = level;
+      write_image(folder / name, image, options);
+      EXPECT_EQ(distance(read_picture(folder / name).image, usual), 0) << level;
+      sizes.push_back(bytes_of(folder / name).size());
+    }
+    EXPECT_GT(sizes[0], usual_size);
+    EXPECT_GT(sizes[0], sizes[1]);
+    EXPECT_GT(sizes[1], sizes[2]);
+  }
+}
+
+TEST(ImageRoundTrip, CompressionThatAFormatHasNotIsRefused) {
+  WriteOptions options;
+  options.compression = 5;
+  for (const char* name : {"a.jpg", "a.webp", "a.tga"}) {
+    const Error error = error_of([&] { encode_image(name, random_image(4, 4, false, 1), options); });
+    EXPECT_EQ(error.code(), ErrorCode::kUsage) << name;
+    EXPECT_TRUE(contains(error.message(), "no levels of compression")) << error.message();
+  }
+  options.compression = 10;
+  EXPECT_TRUE(contains(error_of([&] { encode_image("a.png", random_image(4, 4, false, 1), options); }).message(),
+                       "0 (none) to 9"));
+}
+
 TEST(ImageRoundTrip, MapsAreStoredAsTheyAre) {
   const Folder folder;
   warp::Map map(3, 5);

@@ -15,15 +15,19 @@ SinkOptions options() {
   return result;
 }
 
+void write_frame(FrameSink& sink, int frame, const warp::Image& image) {
+  sink.write(frame, sink.encode(frame, image));
+}
+
 TEST(FileSink, WritesNumberedFramesInAnyOrder) {
   const TempFolder folder;
   const auto sink = open_sink(folder / "f.%03d.png", options(), false);
   for (const int frame : {7, 2, 5}) {
     EXPECT_FALSE(sink->has(frame));
     FrameSink::Packet packet = sink->encode(frame, moving_picture({kWidth, kHeight}, frame));
-    EXPECT_TRUE(packet.empty());
-    EXPECT_TRUE(sink->has(frame)) << "complete before its turn to be written has come";
+    EXPECT_FALSE(sink->has(frame)) << "there, but not written yet";
     sink->write(frame, std::move(packet));
+    EXPECT_TRUE(sink->has(frame));
   }
   sink->finish();
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"f.002.png", "f.005.png", "f.007.png"}));
@@ -35,7 +39,7 @@ TEST(FileSink, TheFileIsWhatWriteImageMakes) {
   const warp::Image image = moving_picture({kWidth, kHeight}, 3, true);
   SinkOptions deep = options();
   deep.image.depth = Depth::k16;
-  open_sink(folder / "sink.#.png", deep, false)->encode(1, image);
+  write_frame(*open_sink(folder / "sink.#.png", deep, false), 1, image);
   write_image(folder / "direct.png", image, deep.image);
   EXPECT_EQ(read_bytes(folder / "sink.1.png"), read_bytes(folder / "direct.png"));
   EXPECT_FALSE(read_bytes(folder / "direct.png").empty());
@@ -58,14 +62,14 @@ TEST(FileSink, AFrameThatExistsIsRefusedUnlessOverwriting) {
   const TempFolder folder;
   std::ofstream(folder / "f.1.png") << "keep me";
   const warp::Image image = moving_picture({kWidth, kHeight}, 0);
-  const Error error = error_of([&] { open_sink(folder / "f.%d.png", options(), false)->encode(1, image); });
+  const Error error = error_of([&] { write_frame(*open_sink(folder / "f.%d.png", options(), false), 1, image); });
   EXPECT_EQ(error.code(), ErrorCode::kIo);
   EXPECT_NE(std::string(error.what()).find("f.1.png"), std::string::npos);
   EXPECT_EQ(read_bytes(folder / "f.1.png").size(), 7U);
   SinkOptions overwriting = options();
   overwriting.image.overwrite = true;
   const auto sink = open_sink(folder / "f.%d.png", overwriting, false);
-  sink->encode(1, image);
+  write_frame(*sink, 1, image);
   EXPECT_TRUE(sink->has(1));
 }
 
@@ -73,7 +77,7 @@ TEST(FileSink, ASingleFrameTakesAPlainName) {
   const TempFolder folder;
   const auto sink = open_sink(folder / "still.png", options(), true);
   EXPECT_TRUE(sink->existing({12}).empty());
-  sink->encode(12, moving_picture({kWidth, kHeight}, 12));
+  write_frame(*sink, 12, moving_picture({kWidth, kHeight}, 12));
   EXPECT_TRUE(sink->has(12));
   EXPECT_EQ(folder.names(), std::vector<std::string>{"still.png"});
 }
@@ -104,6 +108,32 @@ TEST(OpenSink, AnUnknownKindIsRefusedWithTheChoices) {
   const Error numbered = error_of([&] { open_sink(folder / "out.%04d.mp4", options(), false); });
   EXPECT_EQ(numbered.code(), ErrorCode::kUsage);
   EXPECT_NE(numbered.message().find("one file"), std::string::npos);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(OpenSink, OptionsThatTheKindHasNotAreRefused) {
+  const TempFolder folder;
+  const auto refusal = [&](const char* name, const std::string& preset, int compression) {
+    SinkOptions how = options();
+    how.preset = preset;
+    how.image.compression = compression;
+    const Error error = error_of([&] { open_sink(folder / name, how, false); });
+    EXPECT_EQ(error.code(), ErrorCode::kUsage) << name;
+    EXPECT_EQ(error.place(), (folder / name).string());
+    return error.message();
+  };
+  EXPECT_NE(refusal("f.%d.png", "fast", -1).find("for .mp4 and .webm"), std::string::npos);
+  EXPECT_NE(refusal("o.mkv", "fast", -1).find("for .mp4 and .webm"), std::string::npos);
+  EXPECT_NE(refusal("o.mp4", "good", -1).find("veryfast, ultrafast"), std::string::npos);
+  EXPECT_NE(refusal("o.webm", "veryfast", -1).find("realtime, good, best"), std::string::npos);
+  EXPECT_NE(refusal("o.mp4", "", 3).find("no levels of compression"), std::string::npos);
+  EXPECT_NE(refusal("o.apng", "", 10).find("0 (none) to 9"), std::string::npos);
+  EXPECT_NE(refusal("f.%d.jpg", "", 3).find("JPEG has no levels"), std::string::npos);
+  EXPECT_NE(refusal("f.%d.webp", "", 3).find("WebP has no levels"), std::string::npos);
+  EXPECT_NE(refusal("f.%d.png", "", 10).find("0 (none) to 9"), std::string::npos);
+  SinkOptions half = options();
+  half.image.depth = Depth::kHalf;
+  EXPECT_EQ(error_of([&] { open_sink(folder / "f.%d.png", half, false); }).code(), ErrorCode::kUsage);
   EXPECT_TRUE(folder.names().empty());
 }
 

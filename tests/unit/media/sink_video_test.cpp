@@ -249,6 +249,21 @@ TEST(Video, QualityIsTheCrf) {
   }
 }
 
+TEST(Video, PresetsTradeTimeForSize) {
+  const TempFolder folder;
+  const auto size_with = [&](const std::string& name, const std::string& preset, int compression) {
+    SinkOptions how = options({320, 180});
+    how.preset = preset;
+    how.image.compression = compression;
+    return fs::file_size(write_video(folder / name, how));
+  };
+  EXPECT_GT(size_with("a.mp4", "ultrafast", -1), size_with("b.mp4", "slow", -1));
+  EXPECT_EQ(size_with("c.mp4", "veryfast", -1), size_with("d.mp4", "", -1));
+  EXPECT_NE(size_with("a.webm", "good", -1), size_with("b.webm", "realtime", -1));
+  EXPECT_GT(size_with("a.apng", "", 0), size_with("b.apng", "", -1));
+  EXPECT_GT(size_with("c.apng", "", 0), size_with("d.apng", "", 9));
+}
+
 TEST(Video, NamesAreTakenLiterally) {
   const TempFolder folder;
   for (const char* name : {"pipe:1.mp4", "-y.mp4", "it's 100% \"$HOME\" `x`;.mp4", "concat:a|b.MP4", "äöü.mkv"}) {
