@@ -10,7 +10,7 @@ namespace morphkit::warp {
 enum class Filter {
   kNearest,
   kBilinear,
-  kBicubic,   ///< Catmull-Rom
+  kBicubic,   ///< Catmull-Rom (Keys, a = -1/2)
   kArea,      ///< the mean over the pixel's square
   kMitchell,  ///< Mitchell and Netravali, B = C = 1/3, radius 2 output px: softer
   kLanczos    ///< Lanczos-3, separable, radius 3 output px: sharpest; rings at hard edges
@@ -33,8 +33,9 @@ struct SampleOptions {
 /// @param map     output size; source pixels, centres at i + 0.5; a non-finite position means "nothing there".
 /// @return        image of map's size; transparent black where the map says nothing.
 /// @throws std::invalid_argument if either is empty.
-/// Accuracy: bit-exact where the map hits a pixel centre. Bicubic is Catmull-Rom (Keys, a = -1/2); alpha is kept in
-/// [0, 1]. Cost: O(pixels x taps), parallel over rows; see bench/sample.
+/// Accuracy: bit-exact where the map hits a pixel centre, for kArea, kMitchell and kLanczos if it does not shrink the
+/// picture there; constants are exact; alpha is kept in [0, 1]. Cost: O(pixels x taps), parallel over rows; see
+/// bench/sample, and bench/quality for what footprints cost: with the area of the source that they cover.
 Image sample(const Image& source, const Map& map, const SampleOptions& options = {});
 
 /// Rows of a frame that are sampled together. Bands start at multiples of this.

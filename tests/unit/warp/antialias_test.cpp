@@ -268,8 +268,8 @@ TEST(AntialiasMaps, NothingPopsAsAMapZoomsAndPans) {
     }
     return map;
   };
-  // A step moves the farthest pixel by 0.03 px, and noise changes by up to 2 from one pixel to the next; the slope of
-  // the sharpest kernel is below 2 per pixel.
+  // A step moves the farthest pixel by 0.24 px, most of it by turning. Noise changes by up to 2 from one pixel to the
+  // next, and the slope of the sharpest kernel is little above 1 per pixel.
   constexpr double kStep = 0.001;
   for (const Filter filter : kFilters) {
     Image before;
