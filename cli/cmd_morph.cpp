@@ -76,6 +76,8 @@ media::SinkOptions sink_options(const MorphOptions& options, const render::Rende
   sink.has_alpha = renderer.has_alpha();
   sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
   sink.image.depth = media::depth_from(options.depth);
+  sink.image.compression = options.compression;
+  sink.preset = options.preset;
   // Resuming replaces what stands under a frame's name and is no frame.
   sink.image.overwrite = options.overwrite || options.resume;
   sink.image.metadata = std::move(metadata);
@@ -113,6 +115,9 @@ void say_what_was_done(const MorphOptions& options, const render::Renderer& rend
 
 int render_moment(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink,
                   Output& output) {
+  if (!options.preset.empty())
+    throw Error(ErrorCode::kUsage, "--preset", "is for .mp4 and .webm; one picture has no presets");
+  media::check_write_options(options.output, sink.image);
   const auto start = std::chrono::steady_clock::now();
   media::write_image(options.output, renderer.frame(*options.t), sink.image);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -178,6 +183,15 @@ void add_options(CLI::App& command, MorphOptions& options) {
   command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
       ->type_name("Q")
       ->check(CLI::Range(0, 100).description(""));
+  command
+      .add_option("--compression", options.compression,
+                  "PNG, TIFF, EXR, APNG: 0 (none) to 9 (smallest); fast if not given")
+      ->type_name("N")
+      ->check(CLI::Range(0, 9).description(""));
+  command
+      .add_option("--preset", options.preset,
+                  "How long the encoder may think: .mp4 ultrafast ... veryfast ... placebo; .webm realtime, good, best")
+      ->type_name("NAME");
   command.add_flag("--allow-folds", options.allow_folds, "Render a mesh that folds over as far as that goes");
   command.add_flag("--resume", options.resume, "Render only the frames that are not there yet");
   command.add_flag("-y,--overwrite", options.overwrite, "Replace files that exist");

@@ -29,7 +29,9 @@ struct MorphOptions {
   std::string fps;          ///< "25", "30000/1001"; empty: as the project says
   std::string fit;          ///< "contain" | "cover" | "stretch" | "none"; empty: as the project says
   std::string depth = "auto";
-  int quality = -1;  ///< JPEG and WebP 1..100; CRF of videos; -1: a good default
+  int compression = -1;  ///< PNG, TIFF, EXR, APNG 0..9; -1: a good default
+  std::string preset;    ///< of .mp4 and .webm; empty: a good default
+  int quality = -1;      ///< JPEG and WebP 1..100; CRF of videos; -1: a good default
   bool allow_folds = false;
   bool overwrite = false;
   bool resume = false;

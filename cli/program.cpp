@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 
+#include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_compare.h"
 #include "cli/cmd_completion.h"
@@ -57,6 +58,7 @@ std::unique_ptr<CLI::App> make_app(Session& session) {
   add_check(*app, session);
   add_info(*app, session);
   add_compare(*app, session);
+  add_bench(*app, session);
   add_demo(*app, session);
   add_schema(*app, session);
   add_completion(*app, session);

@@ -132,6 +132,18 @@ TEST_F(Morph, WritesEveryKindOfVideo) {
   }
 }
 
+TEST_F(Morph, CompressionAndPresetsChangeTheSize) {
+  const auto size_of = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"morph", "pair.json", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return fs::file_size(folder_ / name);
+  };
+  EXPECT_GT(size_of("none.png", {"-t", "0.5", "--compression", "0"}), size_of("usual.png", {"-t", "0.5"}));
+  EXPECT_NE(size_of("quick.mp4", {"--preset", "ultrafast"}), size_of("slow.mp4", {"--preset", "slow"}));
+}
+
 TEST_F(Morph, KeepsWhatExists) {
   write_text(folder_ / "kept.0002.png", "precious");
   const RunResult result = run({"morph", "pair.json", "-o", "kept.####.png"});
@@ -219,6 +231,12 @@ TEST_F(Morph, RefusesWrongUse) {
   expect_error(run({"morph", "pair.json", "-o", "out.png", "-t", "nan"}), 2, {"nan"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--depth", "12"}), 2, {"12"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.jpg", "--depth", "16"}), 2, {"jp"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.jpg", "--compression", "5"}), 2, {"JPEG", "PNG"});
+  expect_error(run({"morph", "pair.json", "-o", "out.mp4", "--compression", "5"}), 2, {".mp4", "PNG"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--compression", "10"}), 2, {"--compression", "10"});
+  expect_error(run({"morph", "pair.json", "-o", "out.mp4", "--preset", "good"}), 2, {"good", "veryfast"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--preset", "fast"}), 2, {".mp4 and .webm"});
+  expect_error(run({"morph", "pair.json", "-o", "out.png", "-t", "0.5", "--preset", "fast"}), 2, {".mp4 and .webm"});
   expect_error(run({"morph", "pair.json", "--features", "pair.json", "-o", "out.mp4"}), 2, {"--features"});
   expect_error(run({"morph", "pair.json", "--resume", "--overwrite", "-o", "out.%d.png"}), 2, {"--resume"});
 }

@@ -1,0 +1,281 @@
+#include "cli/cmd_bench.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <random>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/cmd_morph.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+#include "morph/media/frame_sink.h"
+#include "morph/render/dissolve.h"
+#include "morph/render/renderer.h"
+#include "warp/parallel.h"
+#include "warp/vector_target.h"
+
+namespace morphkit::cli {
+namespace {
+
+constexpr int kUsualLines = 50;
+const cv::Size kUsualSize(1920, 1080);
+constexpr double kMoment = 0.5;
+constexpr unsigned kSeed = 42;
+
+const std::map<std::string, warp::Filter> kFilters{
+    {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
+    {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
+
+struct Stage {
+  const char* key;   ///< for machines
+  const char* name;  ///< for people
+  double ms = 0;     ///< of a frame; below 0: not measured
+  std::string note;
+};
+
+/// A folder for the video, gone with everything in it in the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "morphkit-bench-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw Error(ErrorCode::kIo, name, "cannot be made: " + std::generic_category().message(errno));
+    path_ = name;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+double elapsed_ms(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The median of at least five runs, more of what is quick. The first one, which fetches memory, does not count.
+double median_ms(const std::function<void()>& work) {
+  constexpr std::size_t kFewest = 5, kMost = 51;
+  constexpr double kEnoughMs = 800;
+  work();
+  std::vector<double> times;
+  for (double total = 0; times.size() < kFewest || (total < kEnoughMs && times.size() < kMost); total += times.back()) {
+    if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; nothing was measured to its end");
+    times.push_back(elapsed_ms(work));
+  }
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
+/// Soft shapes with the noise of a camera: what codecs are given by photographs.
+warp::Image painted(cv::Size size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  const float phase = 6.28F * uniform(random);
+  warp::Image image(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const float u = static_cast<float>(x) / 190.0F + phase;
+      const float v = static_cast<float>(y) / 150.0F - phase;
+      const float noise = 0.01F * uniform(random);
+      image(y, x) = {0.3F + 0.2F * std::sin(u + std::sin(v)) + noise, 0.3F + 0.2F * std::sin(v * 1.3F + u) + noise,
+                     0.3F + 0.2F * std::cos(u - 0.7F * v) + noise, 1.0F};
+    }
+  }
+  return image;
+}
+
+/// Lines of 40 to 200 px whose ends move by up to 20 px: what people draw on a face.
+project::Project random_project(int lines, cv::Size size) {
+  std::mt19937 random(kSeed);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  project::Project project;
+  for (int i = 0; i < lines; ++i) {
+    const cv::Point2d p(uniform(0, size.width), uniform(0, size.height));
+    const double angle = uniform(0, 2 * CV_PI);
+    const cv::Point2d q = p + uniform(40, 200) * cv::Point2d(std::cos(angle), std::sin(angle));
+    const auto moved = [&](cv::Point2d point) { return point + cv::Point2d(uniform(-20, 20), uniform(-20, 20)); };
+    project::Feature feature;
+    feature.id = std::to_string(i + 1);
+    feature.source = {p, q};
+    feature.destination = {moved(p), moved(q)};
+    project.features.push_back(std::move(feature));
+  }
+  return project;
+}
+
+struct Material {
+  project::Project project;
+  render::Pictures pictures;
+};
+
+Material make_material(const BenchOptions& options) {
+  Material material;
+  const bool painting = options.project.empty();
+  if (!painting && options.lines)
+    throw Error(ErrorCode::kUsage, "--lines", "goes without a project; a project has its own features");
+  const cv::Size size = options.size.empty() ? kUsualSize : parse_size(options.size);
+  if (painting) {
+    material.project = random_project(options.lines.value_or(kUsualLines), size);
+    material.pictures.source.image = painted(size, kSeed);
+    material.pictures.destination.image = painted(size, kSeed + 1);
+  } else {
+    material.project = project::load(options.project);
+    material.pictures = render::load_pictures(material.project);
+  }
+  if (!options.size.empty()) material.project.output.size = size;
+  if (!options.filter.empty()) material.project.warp.filter = kFilters.at(options.filter);
+  return material;
+}
+
+/// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
+void measure_rendering(const render::Renderer& renderer, std::vector<Stage>& stages) {
+  using render::SideName;
+  const warp::Map to_source = renderer.map(kMoment, SideName::kSource);
+  const warp::Map to_destination = renderer.map(kMoment, SideName::kDestination);
+  stages.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, SideName::kSource); }), ""});
+
+  const auto sampled = [&](SideName name, const warp::Map& map) {
+    const render::StageSide& side = renderer.stage().side(name);
+    return warp::sample(side.image, map, {renderer.project().warp.filter, side.border});
+  };
+  warp::Image source;
+  warp::Image destination;
+  const double sampling_ms = median_ms([&] {
+    source = sampled(SideName::kSource, to_source);
+    destination = sampled(SideName::kDestination, to_destination);
+  });
+  stages.push_back({"sampling", "sampling", sampling_ms, "both pictures"});
+
+  const auto width = static_cast<std::size_t>(source.cols);
+  const float half = 0.5F;
+  const double dissolve_ms = median_ms([&] {
+    warp::for_rows(source.rows, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
+        render::dissolve_row({source[y], width}, {destination[y], width}, std::span(&half, 1),
+                             renderer.project().blend);
+    });
+  });
+  stages.push_back({"dissolve", "dissolve", dissolve_ms, ""});
+  stages.push_back({"frame", "whole frame", median_ms([&] { renderer.frame(kMoment); }), "the three above together"});
+}
+
+void measure_video(const render::Renderer& renderer, const warp::Image& frame, std::vector<Stage>& stages) {
+  constexpr int kFrames = 24;
+  const ScratchFolder folder;
+  media::SinkOptions options;
+  options.size = renderer.size();
+  options.has_alpha = renderer.has_alpha();
+  std::unique_ptr<media::FrameSink> sink;
+  try {
+    sink = media::open_sink(folder.path() / "bench.mp4", options, false);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kIo) throw;
+    stages.push_back({"mp4", "to .mp4", -1, "not measured: " + std::string(error.message())});
+    return;
+  }
+  stages.push_back({"raw_video", "to raw video", median_ms([&] { sink->encode(0, frame); }), "what ffmpeg is given"});
+  std::vector<media::FrameSink::Packet> packets;
+  packets.reserve(kFrames);
+  for (int i = 0; i < kFrames; ++i)
+    packets.push_back(sink->encode(i, renderer.frame(static_cast<double>(i) / (kFrames - 1))));
+  const double ms = elapsed_ms([&] {
+    for (int i = 0; i < kFrames; ++i) sink->write(i, std::move(packets[static_cast<std::size_t>(i)]));
+    sink->finish();
+  });
+  stages.push_back({"mp4", "to .mp4", ms / kFrames, fmt::format("by ffmpeg on its own threads, {} frames", kFrames)});
+}
+
+std::vector<Stage> measure(const render::Renderer& renderer) {
+  std::vector<Stage> stages;
+  measure_rendering(renderer, stages);
+  const warp::Image frame = renderer.frame(kMoment);
+  const double png_ms = median_ms([&] { media::encode_image("bench.png", frame); });
+  stages.push_back({"png", "to 8-bit PNG", png_ms, "one thread; morph does several frames at once"});
+  measure_video(renderer, frame, stages);
+  return stages;
+}
+
+std::string filter_name(warp::Filter filter) {
+  const auto found =
+      std::find_if(kFilters.begin(), kFilters.end(), [&](const auto& it) { return it.second == filter; });
+  return found == kFilters.end() ? "unknown" : found->first;
+}
+
+void print_text(const render::Renderer& renderer, const std::vector<Stage>& stages, Output& output) {
+  output.line(fmt::format("{}x{}, {}; filter {}; {} thread{}; vectors {}", renderer.size().width,
+                          renderer.size().height, renderer.description(), filter_name(renderer.project().warp.filter),
+                          warp::threads(), warp::threads() == 1 ? "" : "s", warp::vector_target()));
+  for (const Stage& stage : stages) {
+    const std::string time = stage.ms < 0 ? "-" : fmt::format("{:.2f}", stage.ms);
+    const std::string note = stage.note.empty() ? "" : "   " + stage.note;
+    output.line(fmt::format("  {:<14}{:>9} ms{}", stage.name, time, note));
+  }
+}
+
+void print_json(const render::Renderer& renderer, const std::vector<Stage>& stages, Output& output) {
+  Report times;
+  for (const Stage& stage : stages) times.set(stage.key, stage.ms < 0 ? Report(nullptr) : Report(stage.ms));
+  Report report;
+  report.set("width", renderer.size().width).set("height", renderer.size().height);
+  report.set("work", renderer.description()).set("filter", filter_name(renderer.project().warp.filter));
+  report.set("threads", warp::threads()).set("vectors", warp::vector_target()).set("ms", std::move(times));
+  output.line(report.to_json());
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(app, session,
+                                  {"bench", "Measure how fast this machine is, stage by stage",
+                                   "  morphkit bench\n"
+                                   "  morphkit bench pair.json -j 1\n"
+                                   "  morphkit bench --size 3840x2160 --lines 500 --json",
+                                   kInspectGroup});
+  auto options = std::make_shared<BenchOptions>();
+  command->add_option("PROJECT", options->project, "A project file, instead of random lines over painted pictures")
+      ->type_name("");
+  command->add_option("--size", options->size, "Size of a frame in pixels; 1920x1080")->type_name("WxH");
+  command->add_option("--lines", options->lines, "Number of random lines; 50")
+      ->type_name("N")
+      ->check(CLI::Range(0, 100'000).description(""));
+  command->add_option("--filter", options->filter, "nearest, bilinear, bicubic, area, mitchell, lanczos")
+      ->type_name("FILTER")
+      ->check(CLI::IsMember(kFilters));
+  command->add_flag("--json", options->json, "Print the result as JSON");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_bench(*options, output); }; });
+}
+
+int run_bench(const BenchOptions& options, Output& output) {
+  Material material = make_material(options);
+  const render::Renderer renderer(std::move(material.project), material.pictures);
+  const std::vector<Stage> stages = measure(renderer);
+  options.json ? print_json(renderer, stages, output) : print_text(renderer, stages, output);
+  return 0;
+}
+
+}  // namespace morphkit::cli

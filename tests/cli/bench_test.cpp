@@ -1,0 +1,53 @@
+// morphkit bench: what it tells, and what it refuses. How fast it is, is nobody's business here.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphkit::test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+RunResult bench(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"bench", "--size", "64x48"});
+  return run_morphkit(arguments);
+}
+
+TEST(Bench, TellsEveryStage) {
+  const RunResult result = bench({"--lines", "3", "--filter", "bilinear", "-j", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* part : {"64x48", "3 features", "bilinear", "2 threads", "vectors ", "field", "sampling", "dissolve",
+                           "whole frame", "to 8-bit PNG", "to raw video", "to .mp4"})
+    EXPECT_TRUE(contains(result.out, part)) << part << " in " << result.out;
+}
+
+TEST(Bench, JsonHasTheStagesByName) {
+  const RunResult result = bench({"--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out.front(), '{');
+  for (const char* key : {"\"width\": 64", "\"height\": 48", "\"work\": \"50 features", "\"filter\": \"area\"",
+                          "\"threads\": ", "\"vectors\": ", "\"field\": ", "\"sampling\": ", "\"dissolve\": ",
+                          "\"frame\": ", "\"png\": ", "\"raw_video\": ", "\"mp4\": "})
+    EXPECT_TRUE(contains(result.out, key)) << key << " in " << result.out;
+}
+
+TEST(Bench, WhatCannotBeMeantIsRefused) {
+  const auto refusal = [](const std::vector<std::string>& arguments) {
+    const RunResult result = run_morphkit(arguments);
+    EXPECT_EQ(result.out, "");
+    return std::to_string(result.exit_code) + " " + result.err;
+  };
+  EXPECT_TRUE(contains(refusal({"bench", "pair.json", "--lines", "3"}), "2 morphkit: error: --lines"));
+  EXPECT_TRUE(contains(refusal({"bench", "--size", "big"}), "2 morphkit: error: --size: 'big'"));
+  EXPECT_TRUE(contains(refusal({"bench", "--filter", "best"}), "2 morphkit: error: bench: --filter"));
+  EXPECT_TRUE(contains(refusal({"bench", "missing.json"}), "4 morphkit: error: missing.json"));
+}
+
+}  // namespace
+}  // namespace morphkit::test
