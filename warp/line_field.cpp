@@ -47,16 +47,13 @@ void reference_point(const FieldTables& tables, double x, double y, std::span<co
 
 namespace {
 
-void check_spans(const detail::FieldTables& tables, std::span<const std::span<MapPoint>> positions,
-                 std::span<float> values) {
-  if (positions.size() != static_cast<size_t>(tables.targets())) {
-    throw std::invalid_argument("LineField: one span of positions per target");
-  }
-  const size_t n = positions.front().size();
-  const bool same = std::all_of(positions.begin(), positions.end(), [n](const auto& span) { return span.size() == n; });
-  if (!same || (!values.empty() && values.size() != n)) {
-    throw std::invalid_argument("LineField: the spans of a row must have one length");
-  }
+void check_maps(const detail::FieldTables& tables, cv::Rect area, std::span<const Map> positions,
+                const cv::Mat1f* values) {
+  if (positions.size() != static_cast<size_t>(tables.targets()))
+    throw std::invalid_argument("LineField: one map of positions per target");
+  const auto fits = [&](const cv::Mat& map) { return area.empty() ? map.empty() : map.size() == area.size(); };
+  if (!std::all_of(positions.begin(), positions.end(), fits) || (values != nullptr && !fits(*values)))
+    throw std::invalid_argument("LineField: maps must have the size of the area");
 }
 
 }  // namespace
@@ -72,25 +69,26 @@ bool LineField::empty() const noexcept {
   return tables_->lines() == 0;
 }
 
-void LineField::row(int y, int x_begin, std::span<const std::span<MapPoint>> positions, std::span<float> values) const {
-  check_spans(*tables_, positions, values);
-  detail::simd_row(*tables_, y, x_begin, positions, values);
+void LineField::evaluate(cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions, cv::Mat1f* values) const {
+  check_maps(*tables_, area, positions, values);
+  detail::simd_evaluate(*tables_, area, accuracy, positions, values);
 }
 
-void LineField::reference_row(int y, int x_begin, std::span<const std::span<MapPoint>> positions,
-                              std::span<float> values) const {
-  check_spans(*tables_, positions, values);
+void LineField::reference(cv::Rect area, std::span<Map> positions, cv::Mat1f* values) const {
+  check_maps(*tables_, area, positions, values);
   const auto channels = static_cast<size_t>(tables_->channels());
   std::vector<int> all(channels);
   for (size_t c = 0; c < channels; ++c) all[c] = static_cast<int>(c);
   std::vector<double> means(channels);
-  for (size_t i = 0; i < positions.front().size(); ++i) {
-    const double x = x_begin + static_cast<double>(i) + 0.5;
-    detail::reference_point(*tables_, x, y + 0.5, all, means);
-    for (size_t t = 0; t < positions.size(); ++t) {
-      positions[t][i] = {static_cast<float>(x + means[2 * t]), static_cast<float>(y + 0.5 + means[2 * t + 1])};
+  for (int row = 0; row < area.height; ++row) {
+    for (int column = 0; column < area.width; ++column) {
+      const double x = static_cast<double>(area.x) + column + 0.5;
+      const double y = static_cast<double>(area.y) + row + 0.5;
+      detail::reference_point(*tables_, x, y, all, means);
+      for (size_t t = 0; t < positions.size(); ++t)
+        positions[t](row, column) = {static_cast<float>(x + means[2 * t]), static_cast<float>(y + means[2 * t + 1])};
+      if (values != nullptr) (*values)(row, column) = static_cast<float>(tables_->value_from_channel(means.back()));
     }
-    if (!values.empty()) values[i] = static_cast<float>(tables_->value_from_channel(means.back()));
   }
 }
 

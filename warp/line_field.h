@@ -40,6 +40,14 @@ struct FieldLine {
   double value = 0;  ///< any scalar that belongs to the feature; spread by the same weights
 };
 
+enum class FieldAccuracy {
+  kExact,    ///< every line at every pixel
+  kAdaptive  ///< lines whose weights are smooth over a tile are interpolated
+};
+
+/// Side of the square tiles, px, that the field is evaluated by; they lie at multiples of it.
+inline constexpr int kFieldTile = 32;
+
 /// For an output pixel centre X, X_target = X + sum(w (X' - X)) / sum(w), with X' the image of X under each pair. The
 /// weights depend on the output lines only, so one pass serves any number of targets.
 class LineField {
@@ -56,28 +64,27 @@ class LineField {
   int targets() const noexcept;
   bool empty() const noexcept;  ///< no lines: the identity
 
-  /// Target positions of the centres of output pixels (x_begin + i, y), i in [0, n).
-  /// @param positions  one span of length n per target.
-  /// @param values     weighted mean of the lines' values, length n; or empty if not wanted. 0 without lines.
-  /// @throws std::invalid_argument on the wrong number or lengths of spans.
-  /// Accuracy: class T, within kFieldTolerancePx of reference_row wherever |position| < 2^15 px and everywhere else
-  /// equal to it. A pixel whose float error cannot be shown to stay below the bound, or that lies on a line with a = 0,
-  /// is taken from the reference. The result for a pixel does not depend on how a row is cut, provided x_begin is a
-  /// multiple of kFieldBlock (it holds for any x_begin, at the price of a whole block per cut). Thread-safe; does not
-  /// allocate. Cost: O(n x lines); see tests/bench/field_bench.cpp.
-  void row(int y, int x_begin, std::span<const std::span<MapPoint>> positions, std::span<float> values = {}) const;
+  /// Target positions of the centres of the output pixels of `area`, which may lie anywhere.
+  /// @param positions  one map of area's size per target; written through.
+  /// @param values     weighted mean of the lines' values, of area's size; null if not wanted. 0 without lines.
+  /// @throws std::invalid_argument on the wrong number or size of maps.
+  /// Accuracy: class T, within kFieldTolerancePx (kExact) or kAdaptiveTolerancePx (kAdaptive) of `reference` wherever
+  /// |position| < 2^15 px and equal to it everywhere else. A pixel whose float error cannot be shown to stay
+  /// below the bound, or that lies on a line with a = 0, is taken from the reference. The result for a pixel does not
+  /// depend on the area that it is asked for with. Thread-safe. Cost: by tiles of kFieldTile, so areas should be
+  /// multiples of that; kExact O(pixels x lines); kAdaptive O(pixels x lines near them + tiles x lines); see
+  /// tests/bench/field_bench.cpp.
+  void evaluate(cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions, cv::Mat1f* values = nullptr) const;
 
   /// The specification: the same in plain scalar double arithmetic.
-  void reference_row(int y, int x_begin, std::span<const std::span<MapPoint>> positions,
-                     std::span<float> values = {}) const;
+  void reference(cv::Rect area, std::span<Map> positions, cv::Mat1f* values = nullptr) const;
 
  private:
   std::shared_ptr<const detail::FieldTables> tables_;
 };
 
-/// Bound on |row - reference_row|, px.
+/// Bounds on the distance from the reference, px.
 inline constexpr double kFieldTolerancePx = 0.004;
-/// Pixels per block of a row.
-inline constexpr int kFieldBlock = 64;
+inline constexpr double kAdaptiveTolerancePx = 1.0 / 32;
 
 }  // namespace morphkit::warp

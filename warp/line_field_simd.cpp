@@ -1,18 +1,26 @@
-// The kernel behind LineField::row: blocks of kFieldBlock pixels, float lanes over pixels, lines in chunks.
+// The kernel behind LineField::evaluate: square tiles of pixels, float lanes.
 //
 // What keeps float arithmetic close to the double reference:
-//  - Everything affine along the row is evaluated in double once per block and line, at the block's middle pixel.
-//  - Distances are carried as two floats (see split), so that a distance near 0 has a small *relative* error.
-//  - Displacements are taken relative to a base, an affine guess at the block's mean, so that only their differences
-//  are
+//  - Everything affine is evaluated in double once per tile and line, at the tile's middle pixel.
+//  - Displacements are taken relative to a base, an affine guess at the tile's mean, so that only their differences are
 //    rounded; a single pair or equal pairs come out as good as in double.
-//  - Weights are summed a chunk at a time: the error of a sum grows with chunk + lines / chunk, not with lines.
-//  - A bound on the error is accumulated beside the sums with the weights themselves. A pixel that cannot be shown to
-//    be within kFieldTolerancePx, or that lies on a line, is taken from the reference.
+//  - Weights are summed a chunk of lines at a time: the error of a sum grows with chunk + lines / chunk, not with
+//  lines.
+//  - Every line's part in the error of a tile's means is bounded beforehand. Lines for which that is too much, those so
+//    near that a float does not hold their distance well enough, are treated carefully: distances as two floats, and
+//    the bound on the error accumulated with the weights themselves, pixel by pixel. A pixel that cannot be shown to be
+//    within kFieldTolerancePx, or that lies on a line, is taken from the reference.
+//
+// Adaptive evaluation adds a third treatment: lines whose weight is smooth over the tile are summed at 5 x 5 Chebyshev
+// nodes only, and the sums interpolated. What that costs is bounded for each line (see interpolation_error), and lines
+// are treated so, the cheapest first, while the sum of the bounds stays within the tolerance.
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "warp/line_field_tables.h"
@@ -24,418 +32,426 @@
 #include "hwy/foreach_target.h"
 // After foreach_target.h.
 #include "hwy/highway.h"
-#include "warp/line_field_power-inl.h"
+#include "warp/line_field_far-inl.h"
+#include "warp/line_field_near-inl.h"
+#include "warp/line_field_tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Offsets of a block's pixels from its middle pixel: [-kHalf, kHalf).
-constexpr int kHalf = kFieldBlock / 2;
-/// log2 of about the largest weight of a block, if weights are scaled: the nearest line of any pixel then stays 40 bits
-/// above what a float drops, and sums of many displacements far from overflow.
-constexpr double kScaledPeak = 80;
-constexpr double kUnitRoundoff = 0x1p-24;
-/// For each of the two coordinates, so that their distance keeps to kFieldTolerancePx.
-constexpr double kCoordinateTolerancePx = 0.7 * kFieldTolerancePx;
+/// For each of the two coordinates, so that their distance keeps to the tolerance.
+constexpr double kRoundingPx = 0.7 * kFieldTolerancePx;
+constexpr double kInterpolationPx = 0.7 * kAdaptiveTolerancePx - kRoundingPx;
+/// A line whose rounding alone could take this much is treated carefully; so is one so much weaker than others of its
+/// set that the squares of coordinates over its root could leave the range of a float.
+constexpr double kPlainLinePx = kRoundingPx / 16;
+constexpr float kLeastRoot = 0x1p-20f;
 
-/// The lines of one chunk as seen from the block's middle pixel. An affine quantity at offset k is
-/// (hi + k slope_hi) + (lo + k slope_lo).
-template <int kChannels>
-struct Chunk {
-  struct Split {
-    alignas(64) float hi[kLineChunk], lo[kLineChunk];
-  };
-  Split across, across_slope;  // v
-  Split before, after;         // -u |Q - P|; (u - 1) |Q - P|
-  Split along_slope;           // of `after`; that of `before` is its opposite
-  alignas(64) float a[kLineChunk];
-  alignas(64) float root[kLineChunk];   // kinds other than kAny
-  Split power;                          // kAny: -b
-  Split scale;                          // kAny: log2 of the factor of the weight
-  alignas(64) float error[kLineChunk];  // px, what this line alone could contribute to a mean's error
-  alignas(64) float at[kChannels][kLineChunk], slope[kChannels][kLineChunk];
-};
+enum class Treatment : std::uint8_t { kPlain, kCareful, kFar };
 
-template <int kChannels>
-struct Sums {
-  alignas(64) float weight[kFieldBlock], error[kFieldBlock], nearest[kFieldBlock];
-  alignas(64) float channel[kChannels][kFieldBlock];
-};
+/// How the lines of a tile are treated. Kept from tile to tile.
+struct Plan {
+  PerLine rounding, interpolation;  // px, what plain or far treatment of a line could do to a coordinate of a mean
+  std::vector<Treatment> treatment;
+  PerLine gate;  // for far lines the root or scale, for others what makes their weight 0
+  bool any_far = false, any_careful = false, all_careful = false;
+  double bound = 0;  // px, of all lines but the careful
 
-/// Where a block is and what its channels are measured from.
-template <int kChannels>
-struct Block {
-  double x, y;  // centre of the middle pixel
-  std::array<int, kChannels> channels;
-  std::array<double, kChannels> base, base_slope;
-  double scale;  // log2 of the common factor of all weights; kAny only
-};
-
-// ---- Once per block, over lines, in double.
-
-/// Sets the base: the mean of the lines' channels at the middle pixel under weights of about the right shape. Any base
-/// is correct; a good one keeps the differences small.
-template <int kChannels>
-void set_base(const FieldTables& tables, Block<kChannels>& block) {
-  const hn::CappedTag<double, kLineChunk> d;
-  using V = hn::Vec<decltype(d)>;
-  const auto load = [d](const double* array, int i) { return hn::LoadU(d, array + i); };
-  V total = hn::Zero(d);
-  V at[kChannels];
-  V slope[kChannels];
-  for (int c = 0; c < kChannels; ++c) at[c] = slope[c] = hn::Zero(d);
-  for (int i = 0; i < tables.padded(); i += static_cast<int>(hn::Lanes(d))) {
-    const V dx = hn::Sub(hn::Set(d, block.x), load(tables.origin_x.data(), i));
-    const V dy = hn::Sub(hn::Set(d, block.y), load(tables.origin_y.data(), i));
-    const V ux = load(tables.along_x.data(), i);
-    const V uy = load(tables.along_y.data(), i);
-    const V along = hn::MulAdd(dx, ux, hn::Mul(dy, uy));
-    const V across = hn::Sub(hn::Mul(dy, ux), hn::Mul(dx, uy));
-    const V beyond = hn::Max(hn::Max(hn::Neg(along), hn::Sub(along, load(tables.length.data(), i))), hn::Zero(d));
-    const V distance = hn::Sqrt(hn::MulAdd(across, across, hn::Mul(beyond, beyond)));
-    const V soft = hn::Add(hn::Add(distance, load(tables.a.data(), i)), hn::Set(d, kHalf / 2));
-    const V weight = hn::Div(load(tables.factor.data(), i), hn::Mul(soft, soft));
-    total = hn::Add(total, weight);
-    for (int c = 0; c < kChannels; ++c) {
-      const int channel = block.channels[static_cast<size_t>(c)];
-      const V slope_x = load(tables.slope_x(channel), i);
-      const V value =
-          hn::MulAdd(load(tables.slope_y(channel), i), dy, hn::MulAdd(slope_x, dx, load(tables.at(channel), i)));
-      at[c] = hn::MulAdd(weight, value, at[c]);
-      slope[c] = hn::MulAdd(weight, slope_x, slope[c]);
-    }
-  }
-  const double sum = hn::GetLane(hn::SumOfLanes(d, total));
-  for (size_t c = 0; c < kChannels; ++c) {
-    block.base[c] = hn::GetLane(hn::SumOfLanes(d, at[c])) / sum;
-    block.base_slope[c] = hn::GetLane(hn::SumOfLanes(d, slope[c])) / sum;
-  }
-}
-
-/// The scale that takes the largest weight that can occur in the block to 2^kScaledPeak. Within a block, the distance
-/// to the nearest line changes from kOnLinePx to kFieldBlock at most: by 2^20, to the power of 8.
-double block_scale(const FieldTables& tables, double x, double y) {
-  double peak = -HUGE_VAL;
-  for (size_t i = 0; i < static_cast<size_t>(tables.padded()); ++i) {
-    const double dx = x - tables.origin_x[i];
-    const double dy = y - tables.origin_y[i];
-    const double along = dx * tables.along_x[i] + dy * tables.along_y[i];
-    const double across = dy * tables.along_x[i] - dx * tables.along_y[i];
-    const double beyond = std::max(std::max(-along, along - tables.length[i]), 0.0);
-    const double distance = std::sqrt(across * across + beyond * beyond);
-    const double reach = std::max(tables.a[i] + std::max(distance - kHalf, 0.0), kOnLinePx);
-    peak = std::max(peak, tables.log2_factor[i] - tables.b[i] * std::log2(reach));
-  }
-  return kScaledPeak - peak;
-}
-
-/// Writes value as hi + lo. On the grid of 2^-17, hi + k slope_hi is exact in float for every offset k as long as it is
-/// below 2^7, so a value that passes through 0 within a block keeps its relative precision; one that starts above 2^6
-/// cannot come near 0.
-template <class D, class V, class Split>
-HWY_INLINE void split(D d, V value, Split& to, size_t i) {
-  const hn::Rebind<float, D> df;
-  const V to_grid = hn::Set(d, 0x1.8p35);  // adding it leaves 17 fraction bits in a double
-  const V on_grid = hn::Sub(hn::Add(value, to_grid), to_grid);
-  const V chosen = hn::IfThenElse(hn::Lt(hn::Abs(value), hn::Set(d, 2.0 * kHalf)), on_grid, value);
-  const auto hi = hn::DemoteTo(df, chosen);
-  hn::Store(hi, df, to.hi + i);
-  hn::Store(hn::DemoteTo(df, hn::Sub(value, hn::PromoteTo(d, hi))), df, to.lo + i);
-}
-
-template <int kChannels>
-void fill_geometry(const FieldTables& tables, int begin, const Block<kChannels>& block, Chunk<kChannels>& chunk) {
-  const hn::CappedTag<double, kLineChunk> d;
-  const hn::Rebind<float, decltype(d)> df;
-  using V = hn::Vec<decltype(d)>;
-  for (size_t i = 0; i < kLineChunk; i += hn::Lanes(d)) {
-    const auto load = [d, line = static_cast<size_t>(begin) + i](const std::vector<double>& array) {
-      return hn::LoadU(d, array.data() + line);
-    };
-    const V dx = hn::Sub(hn::Set(d, block.x), load(tables.origin_x));
-    const V dy = hn::Sub(hn::Set(d, block.y), load(tables.origin_y));
-    const V ux = load(tables.along_x);
-    const V uy = load(tables.along_y);
-    const V along = hn::Add(hn::Mul(dx, ux), hn::Mul(dy, uy));
-    split(d, hn::Sub(hn::Mul(dy, ux), hn::Mul(dx, uy)), chunk.across, i);
-    split(d, hn::Neg(uy), chunk.across_slope, i);
-    split(d, hn::Neg(along), chunk.before, i);
-    split(d, hn::Sub(along, load(tables.length)), chunk.after, i);
-    split(d, ux, chunk.along_slope, i);
-    hn::Store(hn::DemoteTo(df, load(tables.a)), df, chunk.a + i);
-    hn::Store(hn::DemoteTo(df, load(tables.root)), df, chunk.root + i);
-  }
-}
-
-template <int kChannels>
-void fill_power(const FieldTables& tables, int begin, const Block<kChannels>& block, Chunk<kChannels>& chunk) {
-  for (size_t i = 0; i < kLineChunk; ++i) {
-    const size_t line = static_cast<size_t>(begin) + i;
-    // Products of power.hi with an integer exponent are exact.
-    const double power = -tables.b[line];
-    const double power_hi = std::nearbyint(power * 256) / 256;
-    chunk.power.hi[i] = static_cast<float>(power_hi);
-    chunk.power.lo[i] = static_cast<float>(power - power_hi);
-    const double scale = std::max(tables.log2_factor[line] + block.scale, -1e4);
-    const double scale_hi = std::nearbyint(scale);
-    chunk.scale.hi[i] = static_cast<float>(scale_hi);
-    chunk.scale.lo[i] = static_cast<float>(scale - scale_hi);
-  }
-}
-
-/// Channels relative to the base, and what their rounding can do to a mean: a weight is off by at most (10 b + 8) units
-/// of roundoff (7 from the distance and a, the rest from the power), a sum by one unit for each term it passes, and a
-/// channel by 6 of its own; weights count twice because they act on differences from the mean rather than the base.
-template <int kChannels>
-void fill_channels(const FieldTables& tables, int begin, const Block<kChannels>& block, Chunk<kChannels>& chunk) {
-  alignas(64) double spread[kLineChunk] = {};
-  for (size_t c = 0; c < kChannels; ++c) {
-    const int channel = block.channels[c];
-    const double* at = tables.at(channel) + begin;
-    const double* slope_x = tables.slope_x(channel) + begin;
-    const double* slope_y = tables.slope_y(channel) + begin;
-    const bool in_pixels = channel != tables.value_channel();
-    for (size_t i = 0; i < kLineChunk; ++i) {
-      const double dx = block.x - tables.origin_x[static_cast<size_t>(begin) + i];
-      const double dy = block.y - tables.origin_y[static_cast<size_t>(begin) + i];
-      const double middle = (at[i] + slope_x[i] * dx + slope_y[i] * dy) - block.base[c];
-      const double slope = slope_x[i] - block.base_slope[c];
-      chunk.at[c][i] = static_cast<float>(middle);
-      chunk.slope[c][i] = static_cast<float>(slope);
-      const double largest = std::abs(middle) + kHalf * std::abs(slope);
-      spread[i] = in_pixels && largest > spread[i] ? largest : spread[i];
-    }
-  }
-  const auto chunks = tables.padded() / kLineChunk;
-  const auto sums = static_cast<double>(kLineChunk + chunks + 3);
-  for (size_t i = 0; i < kLineChunk; ++i) {
-    const double units = 2 * (10 * tables.b[static_cast<size_t>(begin) + i] + 8) + 2 * sums + 6;
-    chunk.error[i] = static_cast<float>(kUnitRoundoff * units * spread[i]);
-  }
-}
-
-// ---- Per pixel, in float lanes.
-
-template <WeightKind kKind, int kChannels, class D, class V = hn::Vec<D>>
-HWY_INLINE V weight_of(D d, V reach, const Chunk<kChannels>& chunk, size_t i) {
-  if constexpr (kKind == WeightKind::kAny) {
-    const SplitVector<V> power{hn::Set(d, chunk.power.hi[i]), hn::Set(d, chunk.power.lo[i])};
-    const SplitVector<V> scale{hn::Set(d, chunk.scale.hi[i]), hn::Set(d, chunk.scale.lo[i])};
-    return scaled_power(d, reach, power, scale);
-  } else {
-    const V ratio = hn::Div(hn::Set(d, chunk.root[i]), reach);
-    if constexpr (kKind == WeightKind::kOne) return ratio;
-    if constexpr (kKind == WeightKind::kOneAndHalf) return hn::Mul(ratio, hn::Sqrt(ratio));
-    return hn::Mul(ratio, ratio);
-  }
-}
-
-/// a + distance from line i for the pixels at `offset`.
-template <int kChannels, class D, class V = hn::Vec<D>>
-HWY_INLINE V reach_of(D d, V offset, const Chunk<kChannels>& chunk, size_t i) {
-  const auto set = [d](float value) { return hn::Set(d, value); };
-  const V slope_hi = set(chunk.along_slope.hi[i]);
-  const V slope_lo = set(chunk.along_slope.lo[i]);
-  const V across = hn::Add(hn::MulAdd(offset, set(chunk.across_slope.hi[i]), set(chunk.across.hi[i])),
-                           hn::MulAdd(offset, set(chunk.across_slope.lo[i]), set(chunk.across.lo[i])));
-  const V before = hn::Add(hn::NegMulAdd(offset, slope_hi, set(chunk.before.hi[i])),
-                           hn::NegMulAdd(offset, slope_lo, set(chunk.before.lo[i])));
-  const V after = hn::Add(hn::MulAdd(offset, slope_hi, set(chunk.after.hi[i])),
-                          hn::MulAdd(offset, slope_lo, set(chunk.after.lo[i])));
-  const V beyond = hn::Max(hn::Max(before, after), hn::Zero(d));
-  return hn::Add(set(chunk.a[i]), hn::Sqrt(hn::MulAdd(across, across, hn::Mul(beyond, beyond))));
-}
-
-/// One vector of pixels' sums while they are in registers.
-template <int kChannels, class D>
-struct Lanes {
-  using V = hn::Vec<D>;
-  V offset, total, error, nearest;
-  V channel[kChannels];
-
-  HWY_INLINE void start(D d, size_t k, const Sums<kChannels>& sums) {
-    offset = hn::Iota(d, static_cast<float>(k) - kHalf);
-    total = error = hn::Zero(d);
-    nearest = hn::Load(d, sums.nearest + k);
-    for (V& sum : channel) sum = hn::Zero(d);
-  }
-
-  template <WeightKind kKind>
-  HWY_INLINE void add_line(D d, const Chunk<kChannels>& chunk, size_t i) {
-    const V reach = reach_of(d, offset, chunk, i);
-    nearest = hn::Min(nearest, reach);
-    // Pixels on a line are redone; here they only must not become infinite.
-    const V weight = weight_of<kKind>(d, hn::Max(reach, hn::Set(d, static_cast<float>(kOnLinePx))), chunk, i);
-    total = hn::Add(total, weight);
-    error = hn::MulAdd(weight, hn::Set(d, chunk.error[i]), error);
-    for (size_t c = 0; c < kChannels; ++c) {
-      const V value = hn::MulAdd(offset, hn::Set(d, chunk.slope[c][i]), hn::Set(d, chunk.at[c][i]));
-      channel[c] = hn::MulAdd(weight, value, channel[c]);
-    }
-  }
-
-  HWY_INLINE void stop(D d, size_t k, Sums<kChannels>& sums) const {
-    hn::Store(nearest, d, sums.nearest + k);
-    hn::Store(hn::Add(total, hn::Load(d, sums.weight + k)), d, sums.weight + k);
-    hn::Store(hn::Add(error, hn::Load(d, sums.error + k)), d, sums.error + k);
-    for (size_t c = 0; c < kChannels; ++c) {
-      hn::Store(hn::Add(channel[c], hn::Load(d, sums.channel[c] + k)), d, sums.channel[c] + k);
-    }
+  void resize(size_t lines) {
+    for (PerLine* array : {&rounding, &interpolation, &gate}) array->resize(lines);
+    treatment.resize(lines);
   }
 };
 
-/// Adds a chunk's weights and weighted channels to the sums of a block.
-template <WeightKind kKind, int kChannels>
-void accumulate(const Chunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums) {
-  const hn::CappedTag<float, kFieldBlock> d;
-  Lanes<kChannels, hn::CappedTag<float, kFieldBlock>> lanes;
-  for (size_t k = 0; k < kFieldBlock; k += hn::Lanes(d)) {
-    lanes.start(d, k, sums);
-    for (size_t i = 0; i < count; ++i) lanes.template add_line<kKind>(d, chunk, i);
-    lanes.stop(d, k, sums);
-  }
+double sum_units(const FieldTables& tables) {
+  return kLineChunk + tables.padded() / kLineChunk + 3;
+}
+
+/// What the rounding of a plain line's weight and channels can do to a mean. Distances: 6 roundings of numbers not
+/// above the distance, the tile's diameter and the line's length; the root and the reciprocal: 16 units of roundoff;
+/// all of it b times, and 6 for the rest; it acts on differences from the mean rather than the base.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V rounding_error(D d, V distance, V length, V reach, V b, V share, V spread, V excursion,
+                            float other_units) {
+  const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
+  const V distance_units =
+      hn::Div(hn::Mul(set(6), hn::Add(hn::Add(distance, length), set(2 * kRadiusPx))), hn::Max(reach, set(kOnLinePx)));
+  const V units = hn::MulAdd(b, hn::Add(distance_units, set(16)), hn::Set(d, other_units));
+  return hn::Mul(hn::Mul(share, set(kUnitRoundoff)), hn::Mul(units, hn::Add(spread, excursion)));
+}
+
+/// What interpolation of a far line's weight can do to it, relative to its largest value over the tile; see
+/// docs/methods.md. Where the weight is a power of an analytic distance, the remainder of interpolation at n = 5
+/// Chebyshev nodes goes with the fifth derivative, (b + 4 over 5) (h / distance)^5, h being half the tile; the distance
+/// is measured to where it is nearest, and the constant is an upper bound of what is measured. At the perpendiculars
+/// through its ends a line's distance has a second derivative that jumps by 1 / distance, for which the error is of
+/// second order.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, V after) {
+  const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
+  const V half = set(kHalf);
+  const V soft = hn::Add(a, distance);
+  const V z = hn::Div(half, hn::Max(hn::Sub(distance, half), set(1)));
+  const V z2 = hn::Mul(z, z);
+  const V analytic = hn::Mul(hn::Mul(set(0.07), smooth), hn::Div(hn::Mul(hn::Mul(z2, z2), hn::Mul(z, distance)), soft));
+  const V jump = hn::Div(hn::Mul(set(0.03 * kHalf * kHalf), b), hn::Mul(soft, hn::Max(distance, set(1))));
+  const auto crosses = hn::Lt(hn::Min(hn::Abs(before), hn::Abs(after)), set(kRadiusPx));
+  const V error = hn::Add(analytic, hn::IfThenElseZero(crosses, jump));
+  return hn::IfThenElse(hn::Lt(distance, set(2 * kHalf)), set(1e30), error);
 }
 
 template <int kChannels>
-void accumulate_as(WeightKind kind, const Chunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums) {
-  switch (kind) {
-    case WeightKind::kOne:
-      return accumulate<WeightKind::kOne>(chunk, count, sums);
-    case WeightKind::kOneAndHalf:
-      return accumulate<WeightKind::kOneAndHalf>(chunk, count, sums);
-    case WeightKind::kTwo:
-      return accumulate<WeightKind::kTwo>(chunk, count, sums);
-    case WeightKind::kAny:
-      return accumulate<WeightKind::kAny>(chunk, count, sums);
-  }
-}
-
-template <int kChannels>
-void sum_lines(const FieldTables& tables, const Block<kChannels>& block, Sums<kChannels>& sums) {
-  sums = {};
-  std::fill(std::begin(sums.nearest), std::end(sums.nearest), HUGE_VALF);
-  Chunk<kChannels> chunk;
+void bound_errors(const FieldTables& tables, const View<kChannels>& view, const Expectation& expectation, Plan& plan) {
+  const hn::CappedTag<float, kLineChunk> d;
+  const auto excursion = hn::Set(d, static_cast<float>(expectation.excursion));
+  const auto inverse_total = hn::Set(d, static_cast<float>(1 / expectation.total_least));
   for (const LineGroup& group : tables.groups()) {
-    for (int done = 0; done < group.count; done += kLineChunk) {
-      fill_geometry(tables, group.begin + done, block, chunk);
-      fill_channels(tables, group.begin + done, block, chunk);
-      if (group.kind == WeightKind::kAny) fill_power(tables, group.begin + done, block, chunk);
-      accumulate_as(group.kind, chunk, static_cast<size_t>(std::min(group.count - done, kLineChunk)), sums);
+    const double power_units = group.kind == WeightKind::kAny ? kQuickPowerUnits : 0;
+    const auto other_units = static_cast<float>(6 + power_units + sum_units(tables) + 3);
+    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count);
+         i += hn::Lanes(d)) {
+      const auto load = [d, i](const PerLine& array) { return hn::LoadU(d, &array[i]); };
+      const auto a = load(tables.a_single);
+      const auto b = hn::Neg(load(tables.power_single));
+      const auto distance = load(view.distance);
+      const auto nearest = hn::Max(hn::Sub(distance, hn::Set(d, static_cast<float>(kRadiusPx))), hn::Zero(d));
+      const auto share = hn::Mul(load(view.weight_most), inverse_total);
+      const auto spread = load(view.spread);
+      const auto length = hn::Neg(hn::Add(load(view.before), load(view.after)));
+      hn::StoreU(rounding_error(d, distance, length, hn::Add(a, nearest), b, hn::Min(share, hn::Set(d, 1.0f)), spread,
+                                excursion, other_units),
+                 d, &plan.rounding[i]);
+      const auto relative =
+          interpolation_error(d, distance, a, b, load(tables.smooth_single), load(view.before), load(view.after));
+      hn::StoreU(hn::Mul(hn::Mul(share, relative), hn::Add(spread, excursion)), d, &plan.interpolation[i]);
     }
   }
 }
 
-// ---- From sums to the caller's spans.
+/// The exponent e of a positive normal float below 2^e and at least 2^(e - 1).
+int exponent_of(float value) {
+  return static_cast<int>(std::bit_cast<std::uint32_t>(value) >> 23) - 126;
+}
 
-/// A row's part that a block covers: pixels [from, to) of the block are elements [first, ...) of the spans.
-struct Part {
-  int from, to, first;
-};
+/// The interpolation error up to which lines are far: their sum stays within the tolerance. A power of 2, or 0.
+float far_limit(const FieldTables& tables, const Plan& plan) {
+  constexpr int kLeast = -40, kMost = 0;
+  std::array<float, kMost - kLeast + 1> sums{};
+  for (const LineGroup& group : tables.groups()) {
+    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count); ++i) {
+      const float error = plan.interpolation[i];
+      if (error < 1) sums[static_cast<size_t>(std::max(exponent_of(error), kLeast) - kLeast)] += error;
+    }
+  }
+  float sum = 0;
+  float limit = 0;
+  for (int exponent = kLeast; exponent <= kMost; ++exponent) {
+    sum += sums[static_cast<size_t>(exponent - kLeast)];
+    if (!(sum <= static_cast<float>(kInterpolationPx))) break;
+    limit = std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);  // 2^exponent
+  }
+  return limit;
+}
 
-/// Means in channel units; unsafe[k] is set where the reference must be asked.
+/// Everything with care, where what is asked for is more than plain floats can promise.
+void treat_all_carefully(Plan& plan) {
+  std::fill(plan.treatment.begin(), plan.treatment.end(), Treatment::kCareful);
+  plan.any_far = false;
+  plan.any_careful = plan.all_careful = true;
+  plan.bound = 0;
+}
+
 template <int kChannels>
-struct Means {
-  double channel[kChannels][kFieldBlock];
-  int unsafe[kFieldBlock];
-};
-
-template <int kChannels>
-void finish(const FieldTables& tables, const Block<kChannels>& block, const Sums<kChannels>& sums,
-            Means<kChannels>& means) {
-  // The lines' distances are known to 2^-22 of themselves: this margin leaves the decision to the reference.
-  constexpr auto kNear = static_cast<float>(kOnLinePx * (1 + 0x1p-8));
-  for (size_t k = 0; k < kFieldBlock; ++k) means.unsafe[k] = sums.nearest[k] < kNear ? 1 : 0;
+void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
+               FieldAccuracy accuracy, const Expectation& expectation, Plan& plan) {
+  if (!(expectation.total_least > 0)) return treat_all_carefully(plan);
+  bound_errors(tables, view, expectation, plan);
+  const float limit = accuracy == FieldAccuracy::kAdaptive ? far_limit(tables, plan) : 0;
+  plan.any_far = plan.any_careful = plan.all_careful = false;
+  plan.bound = 0;
+  for (const LineGroup& group : tables.groups()) {
+    const bool any_power = group.kind == WeightKind::kAny;
+    const PerLine& open = any_power ? tables.scale_single : tables.root_single;
+    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count); ++i) {
+      const bool far = plan.interpolation[i] < limit;
+      const bool plain = static_cast<double>(plan.rounding[i]) <= kPlainLinePx && tables.root_single[i] >= kLeastRoot;
+      plan.treatment[i] = far ? Treatment::kFar : plain ? Treatment::kPlain : Treatment::kCareful;
+      plan.gate[i] = far ? open[i] : any_power ? static_cast<float>(kLeastLog2) : 0.0f;
+      plan.any_far |= far;
+      plan.any_careful |= !far && !plain;
+      if (far || plain) plan.bound += static_cast<double>(plan.rounding[i]);
+    }
+    const auto end = static_cast<size_t>(group.begin + (group.count + kLineChunk - 1) / kLineChunk * kLineChunk);
+    for (auto i = static_cast<size_t>(group.begin + group.count); i < end; ++i)
+      plan.gate[i] = any_power ? static_cast<float>(kLeastLog2) : 0.0f;
+  }
+  // Both results are rounded to float at the end: 2^-23 of the position between them.
+  double position = 0;
   for (size_t c = 0; c < kChannels; ++c) {
-    const bool in_pixels = block.channels[c] != tables.value_channel();
-    const double origin = !in_pixels ? 0 : block.channels[c] % 2 == 0 ? block.x : block.y;
-    const double origin_slope = in_pixels && block.channels[c] % 2 == 0 ? 1 : 0;
-    for (size_t k = 0; k < kFieldBlock; ++k) {
-      const double offset = static_cast<double>(static_cast<int>(k) - kHalf);
-      const double mean = static_cast<double>(sums.channel[c][k] / sums.weight[k]);
-      const double result = (origin + offset * origin_slope) + ((block.base[c] + offset * block.base_slope[c]) + mean);
-      means.channel[c][k] = result;
-      // Both results are rounded to float at the end: 2^-23 of the position between them. NaN must count as unsafe.
-      const double bound = static_cast<double>(sums.error[k] / sums.weight[k]) + std::abs(result) * 0x1p-23;
-      means.unsafe[k] |= !in_pixels || bound <= kCoordinateTolerancePx ? 0 : 1;
+    if (tile.channels[c] == tables.value_channel()) continue;
+    const double origin = tile.channels[c] % 2 == 0 ? tile.x : tile.y;
+    const double slopes = 1 + std::abs(tile.base_x[c]) + std::abs(tile.base_y[c]);
+    position = std::max(position, std::abs(origin + tile.base[c]) + kHalf * slopes + expectation.excursion);
+  }
+  plan.bound += position * 0x1p-23;
+  if (!(plan.bound <= kRoundingPx)) treat_all_carefully(plan);
+}
+
+template <int kChannels>
+void sum_near(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view, const Plan& plan,
+              Sums<kChannels>& sums) {
+  std::array<int, kLineChunk> lines;
+  const auto add_chunk = [&]<WeightKind kKind>(Treatment treatment, std::span<const int> chosen) {
+    if (treatment == Treatment::kPlain) {
+      PlainChunk<kChannels> chunk(tables, tile, view, kKind, chosen);
+      add_plain<kKind>(chunk, chosen.size(), sums);
+    } else {
+      CarefulChunk<kChannels> chunk(tables, tile, view, chosen, sum_units(tables));
+      add_careful<kKind>(chunk, chosen.size(), sums);
+    }
+  };
+  for (const LineGroup& group : tables.groups()) {
+    for (const Treatment treatment : {Treatment::kPlain, Treatment::kCareful}) {
+      size_t count = 0;
+      for (int i = group.begin; i < group.begin + group.count; ++i) {
+        if (plan.treatment[static_cast<size_t>(i)] == treatment) lines[count++] = i;
+        const bool last = i + 1 == group.begin + group.count;
+        if (count < lines.size() && !(last && count > 0)) continue;
+        with_kind(group.kind, add_chunk, treatment, std::span<const int>(lines.data(), count));
+        count = 0;
+      }
     }
   }
 }
 
+// ---- From sums to the caller's maps.
+
+/// Where a tile's results go.
+struct Target {
+  std::span<Map> positions;
+  cv::Mat1f* values;
+  cv::Rect area;  // what the maps cover
+};
+
+/// Rows or columns of a tile, [begin, end).
+struct Part {
+  int begin, end;
+};
+
+/// One bit for each pixel of a row.
+using PixelBits = std::uint32_t;
+static_assert(kFieldTile == 32);
+
+/// Positions of one row of the tile for one target. The large part of a position, a whole number, is added last, so
+/// that it is rounded once.
+/// @return  the pixels that are not safe: too far from the reference for all that is known, or on a line.
 template <int kChannels>
-int ask_reference(const FieldTables& tables, const Block<kChannels>& block, const Part& part, Means<kChannels>& means) {
-  int asked = 0;
-  for (int pixel = part.from; pixel < part.to; ++pixel) {
-    const auto k = static_cast<size_t>(pixel);
-    if (means.unsafe[k] == 0) continue;
-    ++asked;
-    const double x = block.x + (pixel - kHalf);
-    std::array<double, kChannels> exact;
-    reference_point(tables, x, block.y, block.channels, exact);
-    for (size_t c = 0; c < kChannels; ++c) {
-      const bool in_pixels = block.channels[c] != tables.value_channel();
-      const double origin = !in_pixels ? 0 : block.channels[c] % 2 == 0 ? x : block.y;
-      means.channel[c][k] = origin + exact[c];
-    }
+PixelBits emit_positions(const Tile<kChannels>& tile, const Sums<kChannels>& sums, const Plan& plan, size_t c, int y,
+                         float* out) {
+  const hn::CappedTag<float, kFieldTile> d;
+  const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
+  const double ky = y - kHalf;
+  const double at_x = tile.x + (tile.base[c] + ky * tile.base_y[c]);
+  const double at_y = tile.y + ky + (tile.base[c + 1] + ky * tile.base_y[c + 1]);
+  const auto whole_x = set(std::nearbyint(at_x)), whole_y = set(std::nearbyint(at_y));
+  const auto rest_x = set(at_x - std::nearbyint(at_x)), rest_y = set(at_y - std::nearbyint(at_y));
+  const auto slope_x = set(tile.base_x[c]), slope_y = set(tile.base_x[c + 1]);
+  const double steps = kHalf * (std::abs(tile.base_x[c]) + std::abs(tile.base_x[c + 1]));
+  PixelBits unsafe = 0;
+  for (size_t x = 0; x < kFieldTile; x += hn::Lanes(d)) {
+    const size_t pixel = static_cast<size_t>(y) * kFieldTile + x;
+    const auto offset = hn::Iota(d, static_cast<float>(x) - kHalf);
+    const auto inverse = quick_reciprocal(d, hn::Load(d, sums.weight + pixel));
+    const auto part_x = hn::MulAdd(hn::Load(d, sums.channel[c] + pixel), inverse, hn::MulAdd(offset, slope_x, rest_x));
+    const auto part_y =
+        hn::MulAdd(hn::Load(d, sums.channel[c + 1] + pixel), inverse, hn::MulAdd(offset, slope_y, rest_y));
+    const auto position_x = hn::Add(hn::Add(offset, whole_x), part_x);
+    const auto position_y = hn::Add(whole_y, part_y);
+    hn::StoreInterleaved2(position_x, position_y, d, out + 2 * x);
+    if (!plan.any_careful) continue;
+    // Both results are rounded to float at the end, 2^-23 of the position between them, and what leads up to it before.
+    // NaN must count as unsafe.
+    const auto largest = hn::Add(hn::Max(hn::Abs(position_x), hn::Abs(position_y)), set(steps));
+    const auto error =
+        hn::MulAdd(largest, set(0x1p-23), hn::MulAdd(hn::Load(d, sums.error + pixel), inverse, set(plan.bound)));
+    // The lines' distances are known to 2^-22 of themselves: this margin leaves the decision to the reference.
+    const auto off_lines = hn::Ge(hn::Load(d, sums.nearest + pixel), set(kOnLinePx * (1 + 0x1p-8)));
+    const auto safe = hn::And(hn::Le(error, set(kRoundingPx)), off_lines);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Not(safe), bits);
+    PixelBits some = 0;
+    std::memcpy(&some, bits, sizeof(some));
+    unsafe |= some << x;
   }
-  return asked;
+  return unsafe;
 }
 
 template <int kChannels>
-void emit(const FieldTables& tables, const Block<kChannels>& block, const Part& part, const Means<kChannels>& means,
-          std::span<const std::span<MapPoint>> positions, std::span<float> values) {
-  const auto from = static_cast<size_t>(part.from);
-  const auto count = static_cast<size_t>(part.to - part.from);
-  const auto first = static_cast<size_t>(part.first);
+void emit_values(const FieldTables& tables, const Tile<kChannels>& tile, const Sums<kChannels>& sums, int y,
+                 Part columns, float* out) {
+  constexpr size_t kValue = kChannels - 1;
+  for (int x = columns.begin; x < columns.end; ++x) {
+    const auto pixel = static_cast<size_t>(y * kFieldTile + x);
+    const double mean = static_cast<double>(sums.channel[kValue][pixel] / sums.weight[pixel]);
+    *out++ = static_cast<float>(tables.value_from_channel(tile.base[kValue] + mean));
+  }
+}
+
+/// One pixel from the reference. @param x, y  of the tile. @param at  of the maps.
+template <int kChannels>
+void ask_reference(const FieldTables& tables, const Tile<kChannels>& tile, int x, int y, cv::Point at,
+                   const Target& target) {
+  const double exact_x = tile.x + (x - kHalf);
+  const double exact_y = tile.y + (y - kHalf);
+  std::array<double, kChannels> exact;
+  reference_point(tables, exact_x, exact_y, tile.channels, exact);
   for (size_t c = 0; c + 1 < kChannels; c += 2) {
-    MapPoint* out = positions[static_cast<size_t>(block.channels[c]) / 2].data() + first;
-    for (size_t i = 0; i < count; ++i) {
-      out[i] = {static_cast<float>(means.channel[c][from + i]), static_cast<float>(means.channel[c + 1][from + i])};
-    }
+    target.positions[static_cast<size_t>(tile.channels[c]) / 2](at) = {static_cast<float>(exact_x + exact[c]),
+                                                                       static_cast<float>(exact_y + exact[c + 1])};
   }
-  if constexpr (kChannels % 2 == 1) {
-    for (size_t i = 0; i < count; ++i) {
-      values[first + i] = static_cast<float>(tables.value_from_channel(means.channel[kChannels - 1][from + i]));
-    }
-  }
+  if constexpr (kChannels % 2 == 1) (*target.values)(at) = static_cast<float>(tables.value_from_channel(exact.back()));
 }
 
-/// One pass over a row for one or two targets from `target` on, with the values if kChannels is odd. Blocks lie at
-/// multiples of kFieldBlock whatever x_begin is.
+/// A row of the tile into the maps. @return  how many pixels had to be taken from the reference.
 template <int kChannels>
-int run_pass(const FieldTables& tables, int y, int x_begin, int target, std::span<const std::span<MapPoint>> positions,
-             std::span<float> values) {
-  Block<kChannels> block{};
-  for (int c = 0; c < kChannels; ++c) block.channels[static_cast<size_t>(c)] = 2 * target + c;
-  if constexpr (kChannels % 2 == 1) block.channels.back() = tables.value_channel();
-  Sums<kChannels> sums;
-  Means<kChannels> means;
-  const int n = static_cast<int>(positions.front().size());
+int emit_row(const FieldTables& tables, const Tile<kChannels>& tile, const Sums<kChannels>& sums, const Plan& plan,
+             int y, Part columns, cv::Point first, const Target& target) {
+  const bool whole = columns.begin == 0 && columns.end == kFieldTile;
+  PixelBits unsafe = 0;
+  for (size_t c = 0; c + 1 < kChannels; c += 2) {
+    MapPoint* out = &target.positions[static_cast<size_t>(tile.channels[c]) / 2](first);
+    float row[2 * kFieldTile];
+    unsafe |= emit_positions(tile, sums, plan, c, y, whole ? out->val : row);
+    if (!whole) std::copy(row + 2 * columns.begin, row + 2 * columns.end, out->val);
+  }
+  if constexpr (kChannels % 2 == 1) emit_values(tables, tile, sums, y, columns, &(*target.values)(first));
+  if (unsafe == 0) return 0;
   int asked = 0;
-  const int lead = (x_begin % kFieldBlock + kFieldBlock) % kFieldBlock;
-  for (int start = -lead; start < n; start += kFieldBlock) {
-    block.x = static_cast<double>(x_begin) + (start + kHalf) + 0.5;
-    block.y = y + 0.5;
-    set_base(tables, block);
-    if (tables.wide_range()) block.scale = block_scale(tables, block.x, block.y);
-    sum_lines(tables, block, sums);
-    finish(tables, block, sums, means);
-    const Part part{std::max(-start, 0), std::min(n - start, kFieldBlock), std::max(start, 0)};
-    asked += ask_reference(tables, block, part, means);
-    emit(tables, block, part, means, positions, values);
+  for (int x = columns.begin; x < columns.end; ++x) {
+    if ((unsafe >> x & 1) == 0) continue;
+    ask_reference(tables, tile, x, y, {first.x + x - columns.begin, first.y}, target);
+    ++asked;
   }
   return asked;
 }
 
-int run_row(const FieldTables& tables, int y, int x_begin, std::span<const std::span<MapPoint>> positions,
-            std::span<float> values) {
+/// What a thread keeps for its tiles.
+template <int kChannels>
+struct Workplace {
+  View<kChannels> view;
+  Plan plan;
+  Sums<kChannels> sums;
+};
+
+/// Sums of all lines as they are planned.
+template <int kChannels>
+void sum_lines(const FieldTables& tables, const Tile<kChannels>& tile, Workplace<kChannels>& place) {
+  Sums<kChannels>& sums = place.sums;
+  const auto fill = [](float* sum, float value) { std::fill(sum, sum + kTilePixels, value); };
+  if (place.plan.any_far) {
+    sum_far(tables, tile, place.view, place.plan.gate, sums);
+  } else {
+    fill(sums.weight, 0);
+    for (float* channel : sums.channel) fill(channel, 0);
+  }
+  if (place.plan.any_careful) {
+    fill(sums.error, 0);
+    fill(sums.nearest, HUGE_VALF);
+  }
+  sum_near(tables, tile, place.view, place.plan, sums);
+}
+
+/// What the sums turned out to be.
+template <int kChannels>
+Expectation found(const Sums<kChannels>& sums) {
+  const hn::CappedTag<float, kFieldTile> d;
+  auto least = hn::Set(d, HUGE_VALF);
+  auto excursion = hn::Zero(d);
+  for (size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) {
+    const auto weight = hn::Load(d, sums.weight + i);
+    least = hn::Min(least, weight);
+    auto largest = hn::Zero(d);
+    for (size_t c = 0; c < kChannels; ++c) {
+      largest = hn::Max(largest, hn::Abs(hn::Load(d, sums.channel[c] + i)));
+    }
+    excursion = hn::Max(excursion, hn::Mul(largest, quick_reciprocal(d, weight)));
+  }
+  return {static_cast<double>(hn::GetLane(hn::MinOfLanes(d, least))),
+          static_cast<double>(hn::GetLane(hn::MaxOfLanes(d, excursion)))};
+}
+
+/// Plans and sums until what was expected is met: the bounds then hold.
+template <int kChannels>
+void evaluate_tile(const FieldTables& tables, Tile<kChannels>& tile, FieldAccuracy accuracy,
+                   Workplace<kChannels>& place) {
+  look_at_lines(tables, tile, place.view);
+  measure_from_base(tables, tile, place.view);
+  tile.scale = tables.wide_range() ? tile_scale(tables, place.view) : 0.0f;
+  weigh(tables, tile, place.view);
+  Expectation expectation = expect(tables, tile, place.view);
+  constexpr int kTrials = 3;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    make_plan(tables, tile, place.view, accuracy, expectation, place.plan);
+    sum_lines(tables, tile, place);
+    if (place.plan.all_careful) return;
+    const Expectation truth = found(place.sums);
+    if (truth.total_least >= expectation.total_least && truth.excursion <= expectation.excursion) return;
+    expectation.total_least = std::min(expectation.total_least, 0.9 * truth.total_least);
+    expectation.excursion = std::max(expectation.excursion, 1.1 * truth.excursion);
+  }
+  treat_all_carefully(place.plan);
+  sum_lines(tables, tile, place);
+}
+
+template <int kChannels>
+int run_tile(const FieldTables& tables, Tile<kChannels>& tile, FieldAccuracy accuracy, Part rows, Part columns,
+             const Target& target, Workplace<kChannels>& place) {
+  evaluate_tile(tables, tile, accuracy, place);
+  const Sums<kChannels>& sums = place.sums;
+  int asked = 0;
+  const int left = static_cast<int>(std::floor(tile.x)) - kHalf, top = static_cast<int>(std::floor(tile.y)) - kHalf;
+  for (int y = rows.begin; y < rows.end; ++y) {
+    const cv::Point first{left + columns.begin - target.area.x, top + y - target.area.y};
+    asked += emit_row(tables, tile, sums, place.plan, y, columns, first, target);
+  }
+  return asked;
+}
+
+/// One pass over the area for one or two targets from `first` on, with the values if kChannels is odd. Tiles lie at
+/// multiples of kFieldTile whatever the area is.
+template <int kChannels>
+int run_pass(const FieldTables& tables, FieldAccuracy accuracy, int first, const Target& target) {
+  thread_local Workplace<kChannels> place;
+  place.view.resize(static_cast<size_t>(tables.padded()));
+  place.plan.resize(static_cast<size_t>(tables.padded()));
+  Tile<kChannels> tile{};
+  for (int c = 0; c < kChannels; ++c) tile.channels[static_cast<size_t>(c)] = 2 * first + c;
+  if constexpr (kChannels % 2 == 1) tile.channels.back() = tables.value_channel();
+  const auto tile_begin = [](int at) { return at - (at % kFieldTile + kFieldTile) % kFieldTile; };
+  const cv::Rect& area = target.area;
+  int asked = 0;
+  for (int top = tile_begin(area.y); top < area.y + area.height; top += kFieldTile) {
+    const Part rows{std::max(area.y - top, 0), std::min(area.y + area.height - top, kFieldTile)};
+    for (int left = tile_begin(area.x); left < area.x + area.width; left += kFieldTile) {
+      const Part columns{std::max(area.x - left, 0), std::min(area.x + area.width - left, kFieldTile)};
+      tile.x = static_cast<double>(left) + kHalf + 0.5;
+      tile.y = static_cast<double>(top) + kHalf + 0.5;
+      asked += run_tile(tables, tile, accuracy, rows, columns, target, place);
+    }
+  }
+  return asked;
+}
+
+int run_area(const FieldTables& tables, cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions,
+             cv::Mat1f* values) {
   int asked = 0;
   for (int target = 0; target < tables.targets(); target += 2) {
     const bool pair = target + 1 < tables.targets();
-    const bool with_values = target == 0 && !values.empty();
+    const bool with_values = target == 0 && values != nullptr;
     const auto pass = pair ? (with_values ? run_pass<5> : run_pass<4>) : (with_values ? run_pass<3> : run_pass<2>);
-    asked += pass(tables, y, x_begin, target, positions, values);
+    asked += pass(tables, accuracy, target, Target{positions, values, area});
   }
   return asked;
 }
@@ -447,20 +463,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace morphkit::warp::detail {
 
-HWY_EXPORT(run_row);
+HWY_EXPORT(run_area);
 
-int simd_row(const FieldTables& tables, int y, int x_begin, std::span<const std::span<MapPoint>> positions,
-             std::span<float> values) noexcept {
+int simd_evaluate(const FieldTables& tables, cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions,
+                  cv::Mat1f* values) {
   if (tables.lines() == 0) {
-    for (const auto& row : positions) {
-      for (size_t i = 0; i < row.size(); ++i) {
-        row[i] = {static_cast<float>(x_begin + static_cast<double>(i) + 0.5), static_cast<float>(y + 0.5)};
+    for (Map& map : positions) {
+      for (int y = 0; y < area.height; ++y) {
+        for (int x = 0; x < area.width; ++x) {
+          map(y, x) = {static_cast<float>(area.x + static_cast<double>(x) + 0.5),
+                       static_cast<float>(area.y + static_cast<double>(y) + 0.5)};
+        }
       }
     }
-    std::fill(values.begin(), values.end(), 0.0f);
+    if (values != nullptr) *values = 0.0f;
     return 0;
   }
-  return HWY_DYNAMIC_DISPATCH(run_row)(tables, y, x_begin, positions, values);
+  return HWY_DYNAMIC_DISPATCH(run_area)(tables, area, accuracy, positions, values);
 }
 
 }  // namespace morphkit::warp::detail

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -71,6 +72,7 @@ FieldTables::FieldTables(std::span<const FieldLine> lines, int targets)
   for (size_t i = 0; i < lines.size(); ++i) fill(lines[i], place[i]);
   fill_values(lines, place);
   normalise_factors(place);
+  fill_singles();
 }
 
 /// Sorts the lines by kind and sets every entry to that of a line of weight 0.
@@ -149,7 +151,7 @@ void FieldTables::fill_values(std::span<const FieldLine> lines, std::span<const 
   if (value_range_ == 0) return;
   const size_t base = static_cast<size_t>(value_channel()) * padded_;
   for (size_t i = 0; i < lines.size(); ++i) {
-    at_[base + static_cast<size_t>(place[i])] = (lines[i].value - value_min_) / value_range_;
+    at_[base + static_cast<size_t>(place[i])] = kValueChannelRange * ((lines[i].value - value_min_) / value_range_);
   }
 }
 
@@ -163,6 +165,46 @@ void FieldTables::normalise_factors(std::span<const int> place) {
     factor[i] = std::exp2(log2_factor[i]);
     root[i] = b[i] > 0 ? std::exp2(log2_factor[i] / b[i]) : 1.0;
   }
+}
+
+void FieldTables::fill_singles() {
+  const auto single = [](double value) { return static_cast<float>(value); };
+  for (size_t i = 0; i < static_cast<size_t>(padded_); ++i) {
+    along_x_single.push_back(single(along_x[i]));
+    along_y_single.push_back(single(along_y[i]));
+    a_single.push_back(single(a[i]));
+    root_single.push_back(single(root[i]));
+    power_single.push_back(single(-b[i]));
+    scale_single.push_back(single(std::max(log2_factor[i], kLeastLog2)));
+    double smooth = 1;
+    for (int j = 0; j < kFieldNodes; ++j) smooth *= (b[i] + j) / (j + 1);
+    smooth_single.push_back(single(smooth));
+  }
+}
+
+const NodeTable& node_table() {
+  static const NodeTable table = [] {
+    NodeTable nodes{};
+    constexpr double kMiddle = -0.5, kHalfWidth = (kFieldTile - 1) / 2.0;
+    double offset[kFieldNodes];
+    for (int j = 0; j < kFieldNodes; ++j) {
+      // The floats are what counts: the polynomials belong to them.
+      nodes.offset[j] =
+          static_cast<float>(kMiddle + kHalfWidth * std::cos((2 * j + 1) * std::numbers::pi / (2 * kFieldNodes)));
+      offset[j] = static_cast<double>(nodes.offset[j]);
+    }
+    for (int j = 0; j < kFieldNodes; ++j) {
+      for (int k = 0; k < kFieldTile; ++k) {
+        double product = 1;
+        for (int other = 0; other < kFieldNodes; ++other) {
+          if (other != j) product *= (k - kFieldTile / 2 - offset[other]) / (offset[j] - offset[other]);
+        }
+        nodes.basis[j][k] = static_cast<float>(product);
+      }
+    }
+    return nodes;
+  }();
+  return table;
 }
 
 }  // namespace morphkit::warp::detail

@@ -39,7 +39,7 @@ struct SampleOptions {
 Image sample(const Image& source, const Map& map, const SampleOptions& options = {});
 
 /// Rows of a frame that are sampled together. Bands start at multiples of this.
-inline constexpr int kSampleBand = 16;
+inline constexpr int kSampleBand = 32;
 
 /// A band of `sample`, on the calling thread: consecutive rows of the map, into rows of the same size. How far a pixel
 /// reaches is told from the positions of this band alone, so the same bands give the same bytes.

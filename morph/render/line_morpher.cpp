@@ -85,17 +85,14 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
   scratch.pixels.create(out.size());
   if (moment.local_dissolve) scratch.dissolve.create(out.size());
 
-  const auto width = static_cast<std::size_t>(out.cols);
-  for (int y = 0; y < out.rows; ++y) {
-    const std::array<std::span<warp::MapPoint>, 2> positions{std::span(scratch.source[y], width),
-                                                             std::span(scratch.destination[y], width)};
-    moment.field.row(top + y, 0, positions,
-                     moment.local_dissolve ? std::span(scratch.dissolve[y], width) : std::span<float>());
-  }
+  std::array positions{scratch.source, scratch.destination};
+  moment.field.evaluate({0, top, out.cols, out.rows}, warp::FieldAccuracy::kAdaptive, positions,
+                        moment.local_dissolve ? &scratch.dissolve : nullptr);
   if (!moment.needs_source) return sample_side(stage_.destination, scratch.destination, out);
   sample_side(stage_.source, scratch.source, out);
   if (!moment.needs_destination) return;
   sample_side(stage_.destination, scratch.destination, scratch.pixels);
+  const auto width = static_cast<std::size_t>(out.cols);
   for (int y = 0; y < out.rows; ++y) {
     const std::span<const float> alpha =
         moment.local_dissolve ? std::span<const float>(scratch.dissolve[y], width) : std::span(&moment.dissolve, 1);
@@ -106,16 +103,18 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
 warp::Map LineMorpher::map(double t, SideName side_name) const {
   const warp::LineField field(field_lines(pairs_, t), 2);
   warp::Map map(stage_.size);
-  warp::for_rows(map.rows, [&](int begin, int end) {
-    std::vector<warp::MapPoint> other(static_cast<std::size_t>(map.cols));
-    for (int y = begin; y < end; ++y) {
-      const std::span<warp::MapPoint> wanted(map[y], other.size());
-      const std::span<warp::MapPoint> rest(other);
-      const bool first = side_name == SideName::kSource;
-      field.row(y, 0, std::array<std::span<warp::MapPoint>, 2>{first ? wanted : rest, first ? rest : wanted});
-      to_image(stage_.side(side_name).file, wanted);
-    }
-  });
+  warp::for_rows(
+      map.rows,
+      [&](int begin, int end) {
+        warp::Map wanted = map.rowRange(begin, end);
+        const warp::Map rest(wanted.size());
+        const bool first = side_name == SideName::kSource;
+        std::array positions{first ? wanted : rest, first ? rest : wanted};
+        field.evaluate({0, begin, map.cols, end - begin}, warp::FieldAccuracy::kAdaptive, positions);
+        for (int y = 0; y < wanted.rows; ++y)
+          to_image(stage_.side(side_name).file, {wanted[y], static_cast<std::size_t>(wanted.cols)});
+      },
+      warp::kFieldTile);
   return map;
 }
 

@@ -1,14 +1,15 @@
-// The line field alone: a 1080p frame, two targets, one thread. items_per_second counts pixels x lines.
+// The line field alone: a 1080p frame, two targets; and what the machine could do at best.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <array>
 #include <random>
-#include <span>
 #include <vector>
 
+#include "tests/bench/fma_peak.h"
 #include "warp/line_field.h"
+#include "warp/parallel.h"
 
 namespace morphkit::warp {
 namespace {
@@ -35,69 +36,89 @@ LineField make_field(int lines, LineWeight weight) {
   return {set, 2};
 }
 
-struct Row {
-  std::vector<MapPoint> first = std::vector<MapPoint>(kWidth);
-  std::vector<MapPoint> second = std::vector<MapPoint>(kWidth);
-  std::array<std::span<MapPoint>, 2> spans{first, second};
-};
+/// A whole frame, band by band, as a renderer asks for it: into maps that are used up while they are in the cache.
+void evaluate_frame(const LineField& field, FieldAccuracy accuracy) {
+  for_rows(
+      kHeight,
+      [&](int begin, int end) {
+        thread_local std::array<Map, 2> maps;
+        for (Map& map : maps) map.create(end - begin, kWidth);
+        field.evaluate({0, begin, kWidth, end - begin}, accuracy, maps);
+        benchmark::DoNotOptimize(maps[0].data);
+        benchmark::DoNotOptimize(maps[1].data);
+        benchmark::ClobberMemory();
+      },
+      kFieldTile);
+}
 
-/// Largest difference from the reference over some rows, px.
-double worst_error(const LineField& field) {
-  Row fast;
-  Row reference;
+/// Largest distance from the reference over some rows, px.
+double worst_error(const LineField& field, FieldAccuracy accuracy) {
+  std::array<Map, 2> fast{Map(1, kWidth), Map(1, kWidth)};
+  std::array<Map, 2> reference{Map(1, kWidth), Map(1, kWidth)};
   double worst = 0;
-  for (int y = 0; y < kHeight; y += 180) {
-    field.row(y, 0, fast.spans);
-    field.reference_row(y, 0, reference.spans);
-    for (size_t i = 0; i < kWidth; ++i) {
-      worst = std::max(worst, cv::norm(cv::Vec2d(fast.first[i]) - cv::Vec2d(reference.first[i])));
-      worst = std::max(worst, cv::norm(cv::Vec2d(fast.second[i]) - cv::Vec2d(reference.second[i])));
+  for (int y = 0; y < kHeight; y += 83) {
+    field.evaluate({0, y, kWidth, 1}, accuracy, fast);
+    field.reference({0, y, kWidth, 1}, reference);
+    for (int t = 0; t < 2; ++t) {
+      for (int x = 0; x < kWidth; ++x)
+        worst = std::max(worst, cv::norm(cv::Vec2d(fast[t](0, x)) - cv::Vec2d(reference[t](0, x))));
     }
   }
   return worst;
 }
 
-void report(benchmark::State& state, const LineField& field) {
-  state.SetItemsProcessed(state.iterations() * kWidth * kHeight * state.range(0));
-  const double worst = worst_error(field);
+/// Arguments: lines, threads.
+void field(benchmark::State& state, FieldAccuracy accuracy, LineWeight weight) {
+  set_threads(static_cast<int>(state.range(1)));
+  const LineField lines = make_field(static_cast<int>(state.range(0)), weight);
+  for ([[maybe_unused]] auto _ : state) evaluate_frame(lines, accuracy);
+  const double pixel_lines = static_cast<double>(kWidth) * kHeight * static_cast<double>(state.range(0));
+  state.counters["ns_per_pixel_line"] = benchmark::Counter(
+      pixel_lines * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  const double worst = worst_error(lines, accuracy);
   state.counters["worst_px"] = worst;
-  if (!(worst <= kFieldTolerancePx)) state.SkipWithError("row differs from reference_row");
+  if (!(worst <= (accuracy == FieldAccuracy::kExact ? kFieldTolerancePx : kAdaptiveTolerancePx)))
+    state.SkipWithError("differs from the reference");
+  set_threads(0);
 }
 
-void field_row(benchmark::State& state, LineWeight weight) {
-  const LineField field = make_field(static_cast<int>(state.range(0)), weight);
-  Row row;
+/// The floor: operations that a line costs at a pixel, both sides at once, at the rate at which the processor can do
+/// them. Its time is that of 50 lines.
+void flop_floor(benchmark::State& state) {
+  constexpr double kFlopPerPixelLine = 38, kFlop = kFlopPerPixelLine * kWidth * kHeight * 50;
+  std::int64_t flop = 0;
+  constexpr std::int64_t kRounds = 1000;
   for ([[maybe_unused]] auto _ : state) {
-    for (int y = 0; y < kHeight; ++y) {
-      field.row(y, 0, row.spans);
-      benchmark::DoNotOptimize(row.first.data());
-      benchmark::ClobberMemory();
+    for (double done = 0; done < kFlop;) {
+      const std::int64_t more = run_fma(kRounds);
+      done += static_cast<double>(more);
+      flop += more;
     }
   }
-  report(state, field);
+  state.counters["flop/s"] = benchmark::Counter(static_cast<double>(flop), benchmark::Counter::kIsRate);
 }
-
-void field_reference(benchmark::State& state, LineWeight weight) {
-  const LineField field = make_field(static_cast<int>(state.range(0)), weight);
-  Row row;
-  for ([[maybe_unused]] auto _ : state) {
-    for (int y = 0; y < kHeight; ++y) {
-      field.reference_row(y, 0, row.spans);
-      benchmark::DoNotOptimize(row.first.data());
-      benchmark::ClobberMemory();
-    }
-  }
-  report(state, field);
-}
+BENCHMARK(flop_floor)->Unit(benchmark::kMillisecond);
 
 constexpr LineWeight kPlain{1, 2, 0};
 constexpr LineWeight kPaper{1, 1.5, 0.2};
 constexpr LineWeight kOdd{1, 1.3, 0.2};
+constexpr LineWeight kSteep{0, 4, 0};
 
-BENCHMARK_CAPTURE(field_row, b2, kPlain)->Arg(10)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_row, b1_5_p0_2, kPaper)->Arg(10)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_row, b1_3_p0_2, kOdd)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_reference, b1_5_p0_2, kPaper)->Arg(10)->Unit(benchmark::kMillisecond);
+#define MORPHKIT_FIELD(name, accuracy, weight, ...) \
+  BENCHMARK_CAPTURE(field, name, accuracy, weight)  \
+      ->ArgNames({"lines", "threads"})              \
+      ->ArgsProduct({__VA_ARGS__})                  \
+      ->Unit(benchmark::kMillisecond)               \
+      ->UseRealTime()
+
+MORPHKIT_FIELD(exact_b2, FieldAccuracy::kExact, kPlain, {10, 50, 500}, {1, 2});
+MORPHKIT_FIELD(exact_b1_5, FieldAccuracy::kExact, kPaper, {50}, {1});
+MORPHKIT_FIELD(exact_b1_3, FieldAccuracy::kExact, kOdd, {50}, {1});
+MORPHKIT_FIELD(exact_b4_a0, FieldAccuracy::kExact, kSteep, {50}, {1});
+MORPHKIT_FIELD(adaptive_b2, FieldAccuracy::kAdaptive, kPlain, {10, 50, 500, 5000}, {1, 2});
+MORPHKIT_FIELD(adaptive_b1_5, FieldAccuracy::kAdaptive, kPaper, {50}, {1});
+MORPHKIT_FIELD(adaptive_b1_3, FieldAccuracy::kAdaptive, kOdd, {50, 500}, {1});
+MORPHKIT_FIELD(adaptive_b4_a0, FieldAccuracy::kAdaptive, kSteep, {50, 500}, {1});
 
 }  // namespace
 }  // namespace morphkit::warp

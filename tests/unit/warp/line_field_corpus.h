@@ -16,6 +16,37 @@ struct FieldCase {
   std::vector<FieldLine> lines;
 };
 
+/// One row of results, the positions of every target and the values.
+struct FieldRow {
+  FieldRow(int targets, int n)
+      : maps(static_cast<size_t>(targets), std::vector<MapPoint>(static_cast<size_t>(n), MapPoint(-7, -7))),
+        values(static_cast<size_t>(n), -7.0f),
+        value_view(1, n, values.data()) {
+    for (auto& map : maps) views.emplace_back(1, n, map.data());
+  }
+  FieldRow(FieldRow&&) = default;
+
+  cv::Rect area(int y, int x_begin) const { return {x_begin, y, static_cast<int>(values.size()), 1}; }
+
+  std::vector<std::vector<MapPoint>> maps;
+  std::vector<float> values;
+  std::vector<Map> views;  ///< of the same memory
+  cv::Mat1f value_view;
+};
+
+inline FieldRow evaluated_row(const LineField& field, int y, int x_begin, int n,
+                              FieldAccuracy accuracy = FieldAccuracy::kExact) {
+  FieldRow row(field.targets(), n);
+  field.evaluate(row.area(y, x_begin), accuracy, row.views, &row.value_view);
+  return row;
+}
+
+inline FieldRow reference_row(const LineField& field, int y, int x_begin, int n) {
+  FieldRow row(field.targets(), n);
+  field.reference(row.area(y, x_begin), row.views, &row.value_view);
+  return row;
+}
+
 class FieldCaseMaker {
  public:
   explicit FieldCaseMaker(unsigned seed) : random_(seed), seed_(seed) {}
@@ -27,6 +58,7 @@ class FieldCaseMaker {
   FieldCase wild();
 
   double uniform(double low, double high) { return std::uniform_real_distribution<>(low, high)(random_); }
+  cv::Point2d within(double reach) { return {uniform(-reach, reach), uniform(-reach, reach)}; }
   int integer(int low, int high) { return std::uniform_int_distribution<>(low, high)(random_); }
 
  private:
@@ -35,7 +67,6 @@ class FieldCaseMaker {
     return *(choices.begin() + integer(0, static_cast<int>(choices.size()) - 1));
   }
   cv::Point2d somewhere(const FieldCase& set) { return {uniform(0, set.width), uniform(0, set.height)}; }
-  cv::Point2d within(double reach) { return {uniform(-reach, reach), uniform(-reach, reach)}; }
   cv::Point2d pixel_centre(const FieldCase& set) {
     return {integer(0, set.width - 1) + 0.5, integer(0, set.height - 1) + 0.5};
   }

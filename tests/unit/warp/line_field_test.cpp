@@ -12,28 +12,6 @@
 namespace morphkit::warp {
 namespace {
 
-/// The positions of a row for every target, and the values.
-struct Row {
-  Row(int targets, int n) : maps(targets, std::vector<MapPoint>(n)), values(n) {
-    for (auto& map : maps) spans.emplace_back(map);
-  }
-  std::vector<std::vector<MapPoint>> maps;
-  std::vector<std::span<MapPoint>> spans;
-  std::vector<float> values;
-};
-
-Row fast_row(const LineField& field, int y, int x_begin, int n) {
-  Row row(field.targets(), n);
-  field.row(y, x_begin, row.spans, row.values);
-  return row;
-}
-
-Row reference_row(const LineField& field, int y, int x_begin, int n) {
-  Row row(field.targets(), n);
-  field.reference_row(y, x_begin, row.spans, row.values);
-  return row;
-}
-
 FieldLine pair(Line output, Line target, LineWeight weight = {}, LineScale scale = LineScale::kAlong,
                double value = 0) {
   return {output, {target}, weight, scale, value};
@@ -63,8 +41,8 @@ TEST(LineField, IdentityIsExact) {
     FieldCase set = FieldCaseMaker(seed).wild();
     for (FieldLine& line : set.lines) std::fill(line.targets.begin(), line.targets.end(), line.output);
     const LineField field(set.lines, set.targets);
-    const Row fast = fast_row(field, 10, 0, 130);
-    const Row reference = reference_row(field, 10, 0, 130);
+    const FieldRow fast = evaluated_row(field, 10, 0, 130);
+    const FieldRow reference = reference_row(field, 10, 0, 130);
     for (int i = 0; i < 130; ++i) {
       const MapPoint centre{static_cast<float>(i) + 0.5f, 10.5f};
       ASSERT_EQ(fast.maps[0][i], centre);
@@ -78,7 +56,7 @@ TEST(LineField, WithoutLinesIsTheIdentity) {
   const LineField field({}, 2);
   EXPECT_TRUE(field.empty());
   EXPECT_EQ(field.targets(), 2);
-  const Row row = fast_row(field, -3, -70, 100);
+  const FieldRow row = evaluated_row(field, -3, -70, 100);
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(row.maps[1][i], MapPoint(static_cast<float>(i) - 69.5f, -2.5f));
     EXPECT_EQ(row.values[i], 0.0f);
@@ -95,8 +73,8 @@ TEST(LineField, OnePairIsItsAffineMap) {
     line.scale = scale;
     const LineField field({&line, 1}, 1);
     const int y = make.integer(0, 479);
-    const Row fast = fast_row(field, y, 0, 640);
-    const Row reference = reference_row(field, y, 0, 640);
+    const FieldRow fast = evaluated_row(field, y, 0, 640);
+    const FieldRow reference = reference_row(field, y, 0, 640);
     for (int i = 0; i < 640; ++i) {
       const cv::Point2d expected = pair_image({i + 0.5, y + 0.5}, line.output, line.targets[0], scale);
       // The output is float: half a unit in its last place for each coordinate, plus 1e-9 for the mathematics.
@@ -123,7 +101,7 @@ TEST(LineField, TwoPairsMeanByWeight) {
       pair({{4.5, 0.5}, {4.5, 0.5}}, {{10.5, 0.5}, {10.5, 0.5}}, {0, 1, 0}, LineScale::kAlong, 1),
       pair({{0.5, 2.5}, {0.5, 2.5}}, {{0.5, 5.5}, {0.5, 5.5}}, {0, 1, 0}, LineScale::kAlong, 4)};
   const LineField field(lines, 1);
-  const Row row = reference_row(field, 0, 0, 1);
+  const FieldRow row = reference_row(field, 0, 0, 1);
   EXPECT_FLOAT_EQ(row.maps[0][0][0], 0.5f + 2.0f);
   EXPECT_FLOAT_EQ(row.maps[0][0][1], 0.5f + 2.0f);
   EXPECT_FLOAT_EQ(row.values[0], 3.0f);
@@ -133,7 +111,7 @@ TEST(LineField, DistanceIsToTheNearerEndBeyondTheLine) {
   // Beside the line's end the pull falls with the distance to the end: weights 1/5 (3-4-5) and 1/5 from a point.
   const std::vector<FieldLine> lines = {pair({{0.5, 0.5}, {10.5, 0.5}}, {{0.5, 2.5}, {10.5, 2.5}}, {0, 1, 0}),
                                         pair({{18.5, 4.5}, {18.5, 4.5}}, {{18.5, 4.5}, {18.5, 4.5}}, {0, 1, 0})};
-  const Row row = reference_row(LineField(lines, 1), 4, 13, 1);
+  const FieldRow row = reference_row(LineField(lines, 1), 4, 13, 1);
   EXPECT_FLOAT_EQ(row.maps[0][0][0], 13.5f);
   EXPECT_FLOAT_EQ(row.maps[0][0][1], 5.5f);
 }
@@ -142,14 +120,14 @@ TEST(LineField, LongerLinesPullMoreWithP) {
   // Equal distances; length 8 against a point (length 1), p = 1, b = 1: weights 8 to 1.
   const std::vector<FieldLine> lines = {pair({{-3.5, 2.5}, {4.5, 2.5}}, {{-3.5, 11.5}, {4.5, 11.5}}, {1, 1, 1}),
                                         pair({{0.5, -1.5}, {0.5, -1.5}}, {{0.5, -1.5}, {0.5, -1.5}}, {1, 1, 1})};
-  const Row row = reference_row(LineField(lines, 1), 0, 0, 1);
+  const FieldRow row = reference_row(LineField(lines, 1), 0, 0, 1);
   EXPECT_FLOAT_EQ(row.maps[0][0][1], 0.5f + 8.0f);
 }
 
 TEST(LineField, OnePointIsATranslation) {
   const FieldLine line = pair({{3, 4}, {3, 4}}, {{13.25, -1.5}, {13.25, -1.5}}, {0, 1.7, 1});
   const LineField field({&line, 1}, 1);
-  for (const Row& row : {fast_row(field, 3, 0, 100), reference_row(field, 3, 0, 100)}) {
+  for (const FieldRow& row : {evaluated_row(field, 3, 0, 100), reference_row(field, 3, 0, 100)}) {
     for (int i = 0; i < 100; ++i) {
       EXPECT_EQ(row.maps[0][i], MapPoint(static_cast<float>(i) + 10.75f, -2.0f));
     }
@@ -162,7 +140,7 @@ TEST(LineField, LineTurningThroughLengthZeroIsAPointAtItsPlace) {
   for (const FieldLine& line : {in_output, in_target}) {
     const LineField field({&line, 1}, 1);
     EXPECT_EQ(reference_row(field, 0, 0, 3).maps[0][1], MapPoint(-0.5f, 4.5f));
-    EXPECT_EQ(fast_row(field, 0, 0, 3).maps[0][1], MapPoint(-0.5f, 4.5f));
+    EXPECT_EQ(evaluated_row(field, 0, 0, 3).maps[0][1], MapPoint(-0.5f, 4.5f));
   }
 }
 
@@ -172,7 +150,7 @@ TEST(LineField, PixelsOnALineFollowItWithoutA) {
                                         pair({{0, 0}, {90, 20}}, {{500, 0}, {900, 400}}, {0, 0.5, 1}),
                                         pair({{40, 8}, {40, 8}}, {{0, 900}, {0, 900}}, {1, 2, 0})};
   const LineField field(lines, 1);
-  for (const Row& row : {fast_row(field, 7, 0, 95), reference_row(field, 7, 0, 95)}) {
+  for (const FieldRow& row : {evaluated_row(field, 7, 0, 95), reference_row(field, 7, 0, 95)}) {
     for (int i = 2; i <= 90; ++i) {
       if (i == 33 || i == 34) continue;  // beside the crossing with the second line, at x = 33.75
       EXPECT_EQ(row.maps[0][i], MapPoint(static_cast<float>(i) + 10.5f, 3.5f)) << i;
@@ -186,7 +164,7 @@ TEST(LineField, PixelOnSeveralLinesTakesTheirWeightedMean) {
                                         pair({{8.5, 6.5}, {8.5, 10.5}}, {{8.5, 1.5}, {8.5, 5.5}}, {0, 2, 0.5}),
                                         pair({{9, 9}, {9, 9}}, {{99, 99}, {99, 99}}, {0, 2, 0.5})};
   const LineField field(lines, 1);
-  for (const Row& row : {fast_row(field, 8, 8, 1), reference_row(field, 8, 8, 1)}) {
+  for (const FieldRow& row : {evaluated_row(field, 8, 8, 1), reference_row(field, 8, 8, 1)}) {
     EXPECT_FLOAT_EQ(row.maps[0][0][0], 8.5f + 8.0f);
     EXPECT_FLOAT_EQ(row.maps[0][0][1], 8.5f - 1.0f);
   }
@@ -197,13 +175,13 @@ TEST(LineField, TranslatingOutputAndTargetsTranslatesTheField) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     FieldCaseMaker make(seed);
     FieldCase set = make.ordinary(200, 200, 12, 2, {make.uniform(0.1, 3), make.uniform(0.5, 4), 0.5}, 30);
-    const Row before = reference_row(LineField(set.lines, 2), 50, 0, 64);
+    const FieldRow before = reference_row(LineField(set.lines, 2), 50, 0, 64);
     const cv::Point2d move{96, 32};
     for (FieldLine& line : set.lines) {
       line.output = {line.output.p + move, line.output.q + move};
       for (Line& target : line.targets) target = {target.p + move, target.q + move};
     }
-    const Row after = reference_row(LineField(set.lines, 2), 82, 96, 64);
+    const FieldRow after = reference_row(LineField(set.lines, 2), 82, 96, 64);
     for (int i = 0; i < 64; ++i) {
       EXPECT_LE(cv::norm(point_of(after.maps[1][i]) - point_of(before.maps[1][i]) - move), 1e-4);
     }
@@ -234,7 +212,7 @@ TEST(LineField, DisplacementLiesWithinTheBoxOfItsPairs) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     FieldCaseMaker make(seed);
     const FieldCase set = make.ordinary(300, 200, 8, 1, {make.uniform(0, 3), make.uniform(0.5, 4), 0.5}, 60);
-    const Row fast = fast_row(LineField(set.lines, 1), 77, 0, 300);
+    const FieldRow fast = evaluated_row(LineField(set.lines, 1), 77, 0, 300);
     // A hull is the intersection of half planes: no direction may be left further than by the pair that goes furthest.
     for (int i = 0; i < 300; ++i) {
       const cv::Point2d x{i + 0.5, 77.5};
@@ -256,7 +234,7 @@ TEST(LineField, ValuesStayBetweenTheLeastAndTheLargest) {
     const FieldCase set = FieldCaseMaker(seed).wild();
     const auto [least, most] = std::minmax_element(
         set.lines.begin(), set.lines.end(), [](const FieldLine& l, const FieldLine& r) { return l.value < r.value; });
-    const Row row = fast_row(LineField(set.lines, set.targets), 10, 0, 200);
+    const FieldRow row = evaluated_row(LineField(set.lines, set.targets), 10, 0, 200);
     for (const float value : row.values) {
       ASSERT_GE(value, static_cast<float>(least->value));
       ASSERT_LE(value, std::nextafter(static_cast<float>(most->value), HUGE_VALF));
@@ -291,14 +269,16 @@ TEST(LineField, BrokenContractsNameTheLine) {
   EXPECT_THROW(LineField({}, 0), std::invalid_argument);
 }
 
-TEST(LineField, SpansMustMatch) {
+TEST(LineField, MapsMustMatch) {
   const FieldLine line = pair({{0, 0}, {1, 1}}, {{0, 0}, {1, 2}});
   const LineField field({&line, 1}, 1);
-  Row two(2, 5);
-  EXPECT_THROW(field.row(0, 0, two.spans), std::invalid_argument);
-  EXPECT_THROW(field.reference_row(0, 0, {}), std::invalid_argument);
-  Row one(1, 5);
-  EXPECT_THROW(field.row(0, 0, one.spans, std::span(one.values).first(4)), std::invalid_argument);
+  FieldRow two(2, 5);
+  EXPECT_THROW(field.evaluate({0, 0, 5, 1}, FieldAccuracy::kExact, two.views), std::invalid_argument);
+  EXPECT_THROW(field.reference({0, 0, 5, 1}, {}), std::invalid_argument);
+  FieldRow one(1, 5);
+  EXPECT_THROW(field.evaluate({0, 0, 4, 1}, FieldAccuracy::kExact, one.views), std::invalid_argument);
+  cv::Mat1f values(1, 4);
+  EXPECT_THROW(field.evaluate({0, 0, 5, 1}, FieldAccuracy::kExact, one.views, &values), std::invalid_argument);
 }
 
 }  // namespace
