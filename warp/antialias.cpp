@@ -119,12 +119,40 @@ cv::Vec4d footprint_mean(const Image& source, cv::Vec2d position, const Axis& u,
   return sum / weights;
 }
 
-/// The larger part of a pixel that is not a point; nothing where it is one.
-double blend_of(double stretch) {
-  const double way = std::clamp(
-      (stretch - static_cast<double>(kRampBegin)) / (static_cast<double>(kRampEnd) - static_cast<double>(kRampBegin)),
-      0.0, 1.0);
+/// From 0 at `begin` to 1 at `end`.
+double ramp(double value, float begin, float end) {
+  const double from = static_cast<double>(begin);
+  const double way = std::clamp((value - from) / (static_cast<double>(end) - from), 0.0, 1.0);
   return way * way * (3 - 2 * way);
+}
+
+/// How far points lie from the middle that have the variance of a square of side sigma, less a source pixel's own.
+double point_distance(double sigma) {
+  const double side = std::min(sigma, static_cast<double>(kSumEnd));
+  const double variance = (side * side - static_cast<double>(kOwnSquare)) / 12;
+  return std::sqrt(std::max(ramp(sigma, kRampBegin, kRampEnd) * variance, 0.0));
+}
+
+/// An area as points; see antialias.h.
+Pixel mean_of_points(const Image& source, const MapPoint& middle, const cv::SVD& svd, Border border) {
+  const auto at = [&](cv::Vec2d offset) {
+    const MapPoint position(static_cast<float>(static_cast<double>(middle[0]) + offset[0]),
+                            static_cast<float>(static_cast<double>(middle[1]) + offset[1]));
+    Pixel colour;
+    reconstruct_row(source, {&position, 1}, Kernel::kBicubic, border, {&colour, 1});
+    return cv::Vec4d(colour);
+  };
+  const cv::Matx22d u(svd.u), turn = u * cv::Matx22d(svd.vt);
+  const double first = point_distance(svd.w.at<double>(0)), second = point_distance(svd.w.at<double>(1));
+  const cv::Vec2d pair = u * cv::Vec2d(first, 0);
+  const cv::Matx22d root = u * cv::Matx22d::diag({first, second}) * u.t() * turn;
+  const cv::Vec4d two = (at(pair) + at(-pair)) / 2;
+  cv::Vec4d four;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) four += at(root * cv::Vec2d(x, y)) / 4;
+  }
+  const double part = first > 0 ? ramp(second / first, 0, kFourPoints) : 0;
+  return Pixel(two + part * (four - two));
 }
 
 void finish(cv::Vec4d mean, double blend, Pixel& pixel) {
@@ -146,7 +174,10 @@ void reference_antialias_band(const Image& source, const Map& positions, Filter 
       if (!is_finite(positions(y, x))) continue;
       const cv::SVD svd(jacobian(positions, {x, y}));
       const cv::Vec2d stretch(svd.w.at<double>(0), svd.w.at<double>(1));
-      const double blend = blend_of(stretch[0]);
+      const bool has_points = filter == Filter::kArea;
+      if (has_points && stretch[0] > static_cast<double>(kRampBegin))
+        out(y, x) = mean_of_points(source, positions(y, x), svd, border);
+      const double blend = has_points ? ramp(stretch[0], kSumBegin, kSumEnd) : ramp(stretch[0], kRampBegin, kRampEnd);
       if (blend == 0) continue;
       const cv::Matx22d shrink =
           cv::Matx22d::diag({1 / std::clamp(stretch[0], 1.0, most), 1 / std::clamp(stretch[1], 1.0, most)});

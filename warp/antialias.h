@@ -11,6 +11,15 @@
 // They are held in [1, most_stretch]: a footprint never gets smaller than a source pixel, and its cost is bounded.
 // Below kRampBegin a pixel is a point, read by bicubic interpolation; from there to kRampEnd it changes smoothly into
 // its footprint.
+//
+// An area that shrinks by less than kSumBegin is not summed: that costs twenty times as much as a point. Instead points
+// of the same weight stand for it, with the variance of the area's square in every direction, less a source pixel's
+// own: what they do to a wave is the same to second order, and where a picture shrinks by half they cancel the highest
+// frequency. With U diag(d1, d2) U^T the root S of that variance, and J = (U diag(sigma) U^T) R,
+//   two points at +- d1 U1 are enough where only one axis shrinks, d2 = 0;
+//   four at S R (+-1, +-1)^T serve both axes, and do not ask which is the first where they shrink alike.
+// The mean of the two kinds changes over with d2 / d1, from 0 to kFourPoints. From kSumBegin to kSumEnd points change
+// smoothly into the sum.
 
 #include "warp/sample.h"
 
@@ -21,6 +30,13 @@ namespace morphkit::warp::detail {
 /// to 1.25 draws pictures whose pixels are means too softly, by up to a decibel and a half.
 inline constexpr float kRampBegin = 1.1F;
 inline constexpr float kRampEnd = 1.5F;
+
+/// Singular values where an area begins to be summed, and where it is nothing but a sum.
+inline constexpr float kSumBegin = 1.7F;
+inline constexpr float kSumEnd = 2.1F;
+
+/// d2 / d1 from which an area is four points only.
+inline constexpr float kFourPoints = 0.5F;
 
 /// The part of a source pixel's own square that an area's square does without. A photograph's pixels are means over
 /// their squares already; a footprint of the variance of J's square minus all of it would be best for them, none for

@@ -71,6 +71,61 @@ class Band {
   std::array<std::array<MapPoint, kBlock + 2>, 3> edge_;
 };
 
+/// The points that a block's pixels are made of: one, or two and four in parts.
+class BlockPoints {
+ public:
+  /// @param pixel  where the colour goes.
+  void add_point(const MapPoint& middle, Pixel& pixel) { add(middle, pixel, 1, 0); }
+
+  void add_area(const MapPoint& middle, const Footprints& f, size_t i, Pixel& pixel) {
+    const MapPoint pair(f.pair_x[i], f.pair_y[i]);
+    if (pair == MapPoint(0, 0)) return add_point(middle, pixel);
+    const float part = f.four_part[i];
+    if (part < 1) {
+      add(middle - pair, pixel, 2, 1 - part);
+      positions_[size_++] = middle + pair;
+    }
+    if (part > 0) {
+      const MapPoint first(f.four_x1[i], f.four_y1[i]), second(f.four_x2[i], f.four_y2[i]);
+      add(middle - first - second, pixel, 4, part);
+      for (const MapPoint& position : {middle - first + second, middle + first - second, middle + first + second})
+        positions_[size_++] = position;
+    }
+  }
+
+  void read(const Image& source, Border border) {
+    reconstruct_row(source, {positions_.data(), size_}, Kernel::kBicubic, border, {colours_.data(), size_});
+    const Pixel* next = colours_.data();
+    for (size_t i = 0; i < groups_; ++i) {
+      const Group& group = group_[i];
+      if (group.count == 1) *group.pixel = next[0];
+      if (group.count == 2) *group.pixel = (next[0] + next[1]) * 0.5F;
+      if (group.count == 4) {
+        const Pixel mean = ((next[0] + next[1]) + (next[2] + next[3])) * 0.25F;
+        *group.pixel = group.part < 1 ? *group.pixel + (mean - *group.pixel) * group.part : mean;
+      }
+      next += group.count;
+    }
+  }
+
+ private:
+  struct Group {
+    Pixel* pixel;
+    size_t count;  ///< of points
+    float part;    ///< of four points, that of the mean; two come before
+  };
+
+  void add(const MapPoint& position, Pixel& pixel, size_t count, float part) {
+    group_[groups_++] = {&pixel, count, part};
+    positions_[size_++] = position;
+  }
+
+  std::array<MapPoint, 6 * kBlock> positions_;
+  std::array<Pixel, 6 * kBlock> colours_;
+  std::array<Group, 2 * kBlock> group_;
+  size_t size_ = 0, groups_ = 0;
+};
+
 template <Filter kFilter>
 void antialias_rows(const Image& source, const Map& positions, Border border, Image& out) {
   const auto width = static_cast<size_t>(positions.cols);
@@ -78,23 +133,27 @@ void antialias_rows(const Image& source, const Map& positions, Border border, Im
   Band band(positions);
   Footprints footprints;
   for (int y = 0; y < positions.rows; ++y) {
-    size_t points = 0;  // where the run of pixels begins that are points, at least in part
+    size_t run = 0;  // where the run of blocks begins whose pixels are one point each
     const auto end_run = [&](size_t end) {
-      if (points == end) return;
-      reconstruct_row(source, {positions[y] + points, end - points}, Kernel::kBicubic, border,
-                      {out[y] + points, end - points});
+      if (run == end) return;
+      reconstruct_row(source, {positions[y] + run, end - run}, Kernel::kBicubic, border, {out[y] + run, end - run});
     };
     for (size_t x = 0; x < width; x += kBlock) {
       const Neighbours around = band.around(y, x);
       if (all_points(around) || !find_footprints<kFilter>(around, footprints)) continue;
+      end_run(x);
       const size_t count = std::min(kBlock, width - x);
+      run = x + count;
+      BlockPoints points;
       for (size_t i = 0; i < count; ++i) {
-        if (footprints.blend[i] < 1) continue;
-        end_run(x + i);
-        points = x + i + 1;
+        if (footprints.blend[i] >= 1) continue;
+        if constexpr (kFilter == Filter::kArea) {
+          points.add_area(positions[y][x + i], footprints, i, out[y][x + i]);
+        } else {
+          points.add_point(positions[y][x + i], out[y][x + i]);
+        }
       }
-      end_run(x + count);
-      points = x + count;
+      points.read(source, border);
       for (size_t i = 0; i < count; ++i) {
         if (footprints.blend[i] > 0) summer.blend(positions[y][x + i], footprints, i, out[y][x + i]);
       }

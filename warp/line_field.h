@@ -69,7 +69,7 @@ class LineField {
   /// @param values     weighted mean of the lines' values, of area's size; null if not wanted. 0 without lines.
   /// @throws std::invalid_argument on the wrong number or size of maps.
   /// Accuracy: class T, within kFieldTolerancePx (kExact) or kAdaptiveTolerancePx (kAdaptive) of `reference` wherever
-  /// |position| < 2^15 px and equal to it everywhere else. A pixel whose float error cannot be shown to stay
+  /// |position| < 2^15 px (2^16 px) and equal to it everywhere else. A pixel whose float error cannot be shown to stay
   /// below the bound, or that lies on a line with a = 0, is taken from the reference. The result for a pixel does not
   /// depend on the area that it is asked for with. Thread-safe. Cost: by tiles of kFieldTile, so areas should be
   /// multiples of that; kExact O(pixels x lines); kAdaptive O(pixels x lines near them + tiles x lines); see

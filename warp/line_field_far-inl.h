@@ -93,6 +93,21 @@ inline void spread(const float (&nodes)[kNodes][kNodes], float* out) {
   }
 }
 
+/// Adds what is in lanes, and empties them.
+template <int kChannels, size_t kSide>
+void collect(NodeLanes<kChannels, kSide>& nodes, NodeSums<kChannels, kSide>& sums) {
+  const hn::CappedTag<float, kLineChunk> d;
+  for (size_t quantity = 0; quantity <= kChannels; ++quantity) {
+    for (size_t ky = 0; ky < kSide; ++ky) {
+      for (size_t kx = 0; kx < kSide; ++kx) {
+        const auto lanes = hn::Load(d, nodes.sum[quantity][ky][kx]);
+        sums.sum[quantity][ky][kx] += hn::GetLane(hn::SumOfLanes(d, lanes));
+      }
+    }
+  }
+  nodes = {};
+}
+
 /// Sums over all lines at the nodes of a grid. `gates` gives for a group what is to stand for its lines' root or scale.
 template <int kChannels, size_t kSide, class Gates>
 NodeSums<kChannels, kSide> sum_at_nodes(const FieldTables& tables, const Tile<kChannels>& tile,
@@ -100,23 +115,17 @@ NodeSums<kChannels, kSide> sum_at_nodes(const FieldTables& tables, const Tile<kC
                                         const float (&offsets)[kSide]) {
   const hn::CappedTag<float, kLineChunk> d;
   NodeLanes<kChannels, kSide> nodes{};
+  NodeSums<kChannels, kSide> sums{};
   const auto add_group = [&]<WeightKind kKind>(const LineGroup& group) {
     for (size_t i = 0; i < static_cast<size_t>(group.count); i += hn::Lanes(d)) {
+      if (i > 0 && i % (kChunksPerBlock * kLineChunk) == 0) collect(nodes, sums);
       add_to_nodes<kKind>(d, tables, view, tile.scale, gates(group), offsets, static_cast<size_t>(group.begin) + i,
                           nodes);
     }
   };
   for (const LineGroup& group : tables.groups()) with_kind(group.kind, add_group, group);
-  NodeSums<kChannels, kSide> result;
-  for (size_t quantity = 0; quantity <= kChannels; ++quantity) {
-    for (size_t ky = 0; ky < kSide; ++ky) {
-      for (size_t kx = 0; kx < kSide; ++kx) {
-        const auto lanes = hn::Load(d, nodes.sum[quantity][ky][kx]);
-        result.sum[quantity][ky][kx] = hn::GetLane(hn::SumOfLanes(d, lanes));
-      }
-    }
-  }
-  return result;
+  collect(nodes, sums);
+  return sums;
 }
 
 /// Sets the sums of all lines whose gate is open.

@@ -22,16 +22,35 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr size_t kTilePixels = size_t{kFieldTile} * kFieldTile;
 
+/// Chunks of lines whose sums are added up before they are put to those of earlier ones: the error of a sum then grows
+/// with chunk + block + lines / (chunk block), see sum_units.
+constexpr int kChunksPerBlock = 16;
+
+inline double sum_units(const FieldTables& tables) {
+  const int chunks = tables.padded() / kLineChunk;
+  return kLineChunk + std::min(chunks, kChunksPerBlock) + chunks / kChunksPerBlock + 4;
+}
+
 /// Weights and weighted channels of a tile's pixels, row by row.
 template <int kChannels>
 struct Sums {
   alignas(64) float weight[kTilePixels];
   alignas(64) float channel[kChannels][kTilePixels];
   alignas(64) float error[kTilePixels], nearest[kTilePixels];  // of careful lines only
+
+  void clear() {
+    std::fill(std::begin(weight), std::end(weight), 0.0f);
+    for (auto& sum : channel) std::fill(std::begin(sum), std::end(sum), 0.0f);
+  }
+  void add(const Sums& other) {
+    for (size_t i = 0; i < kTilePixels; ++i) weight[i] += other.weight[i];
+    for (size_t c = 0; c < kChannels; ++c) {
+      for (size_t i = 0; i < kTilePixels; ++i) channel[c][i] += other.channel[c][i];
+    }
+  }
 };
 
-/// What a chunk of lines adds to the sums of one vector of pixels, while it is in registers. From 0: the error of a sum
-/// then grows with chunk + lines / chunk.
+/// What a chunk of lines adds to the sums of one vector of pixels, while it is in registers.
 template <int kChannels, class D>
 struct Accumulator {
   hn::Vec<D> offset, weight;
@@ -188,7 +207,7 @@ struct CarefulChunk : ChunkChannels<kChannels> {
   alignas(64) float error[kLineChunk];  // px, what this line alone could contribute to a mean's error
 
   CarefulChunk(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
-               std::span<const int> lines, double sum_units) {
+               std::span<const int> lines) {
     for (size_t i = 0; i < lines.size(); ++i) {
       const auto line = static_cast<size_t>(lines[i]);
       this->take(view, line, i);
@@ -211,7 +230,7 @@ struct CarefulChunk : ChunkChannels<kChannels> {
       // A weight is off by at most (12 b + 8) units of roundoff, 8 from the distance and a, 4 from the reciprocal, the
       // rest from the power; it counts twice because it acts on differences from the mean rather than the base. A
       // channel has 6 of its own.
-      const double units = 2 * (12 * tables.b[line] + 8) + 2 * sum_units + 6;
+      const double units = 2 * (12 * tables.b[line] + 8) + 2 * sum_units(tables) + 6;
       error[i] = static_cast<float>(kUnitRoundoff * units * static_cast<double>(view.spread[line]));
     }
   }

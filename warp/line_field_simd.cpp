@@ -41,12 +41,20 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// For each of the two coordinates, so that their distance keeps to the tolerance.
-constexpr double kRoundingPx = 0.7 * kFieldTolerancePx;
-constexpr double kInterpolationPx = 0.7 * kAdaptiveTolerancePx - kRoundingPx;
-/// A line whose rounding alone could take this much is treated carefully; so is one so much weaker than others of its
-/// set that the squares of coordinates over its root could leave the range of a float.
-constexpr double kPlainLinePx = kRoundingPx / 16;
+/// What rounding and interpolation may do to each of the two coordinates, so that their distance keeps to the
+/// tolerance.
+struct Tolerance {
+  double rounding, interpolation;  // px
+};
+constexpr Tolerance tolerance_of(FieldAccuracy accuracy) {
+  constexpr double kShare = 0.7, kRoundingShare = 0.3;
+  if (accuracy == FieldAccuracy::kExact) return {kShare * kFieldTolerancePx, 0};
+  return {kShare * kRoundingShare * kAdaptiveTolerancePx, kShare * (1 - kRoundingShare) * kAdaptiveTolerancePx};
+}
+
+/// A line whose rounding alone could take this part of what is allowed is treated carefully; so is one so much weaker
+/// than others of its set that the squares of coordinates over its root could leave the range of a float.
+constexpr double kPlainLinePart = 1.0 / 16;
 constexpr float kLeastRoot = 0x1p-20f;
 
 enum class Treatment : std::uint8_t { kPlain, kCareful, kFar };
@@ -57,17 +65,14 @@ struct Plan {
   std::vector<Treatment> treatment;
   PerLine gate;  // for far lines the root or scale, for others what makes their weight 0
   bool any_far = false, any_careful = false, all_careful = false;
-  double bound = 0;  // px, of all lines but the careful
+  double bound = 0;    // px, of all lines but the careful
+  double allowed = 0;  // px, of all lines
 
   void resize(size_t lines) {
     for (PerLine* array : {&rounding, &interpolation, &gate}) array->resize(lines);
     treatment.resize(lines);
   }
 };
-
-double sum_units(const FieldTables& tables) {
-  return kLineChunk + tables.padded() / kLineChunk + 3;
-}
 
 /// What the rounding of a plain line's weight and channels can do to a mean. Distances: 6 roundings of numbers not
 /// above the distance, the tile's diameter and the line's length; the root and the reciprocal: 16 units of roundoff;
@@ -136,7 +141,7 @@ int exponent_of(float value) {
 }
 
 /// The interpolation error up to which lines are far: their sum stays within the tolerance. A power of 2, or 0.
-float far_limit(const FieldTables& tables, const Plan& plan) {
+float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px) {
   constexpr int kLeast = -40, kMost = 0;
   std::array<float, kMost - kLeast + 1> sums{};
   for (const LineGroup& group : tables.groups()) {
@@ -149,7 +154,7 @@ float far_limit(const FieldTables& tables, const Plan& plan) {
   float limit = 0;
   for (int exponent = kLeast; exponent <= kMost; ++exponent) {
     sum += sums[static_cast<size_t>(exponent - kLeast)];
-    if (!(sum <= static_cast<float>(kInterpolationPx))) break;
+    if (!(sum <= static_cast<float>(tolerance_px))) break;
     limit = std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);  // 2^exponent
   }
   return limit;
@@ -166,9 +171,11 @@ void treat_all_carefully(Plan& plan) {
 template <int kChannels>
 void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
                FieldAccuracy accuracy, const Expectation& expectation, Plan& plan) {
+  plan.allowed = tolerance_of(accuracy).rounding;
   if (!(expectation.total_least > 0)) return treat_all_carefully(plan);
   bound_errors(tables, view, expectation, plan);
-  const float limit = accuracy == FieldAccuracy::kAdaptive ? far_limit(tables, plan) : 0;
+  const Tolerance tolerance = tolerance_of(accuracy);
+  const float limit = accuracy == FieldAccuracy::kAdaptive ? far_limit(tables, plan, tolerance.interpolation) : 0;
   plan.any_far = plan.any_careful = plan.all_careful = false;
   plan.bound = 0;
   for (const LineGroup& group : tables.groups()) {
@@ -176,7 +183,8 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
     const PerLine& open = any_power ? tables.scale_single : tables.root_single;
     for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count); ++i) {
       const bool far = plan.interpolation[i] < limit;
-      const bool plain = static_cast<double>(plan.rounding[i]) <= kPlainLinePx && tables.root_single[i] >= kLeastRoot;
+      const bool plain = static_cast<double>(plan.rounding[i]) <= kPlainLinePart * tolerance.rounding &&
+                         tables.root_single[i] >= kLeastRoot;
       plan.treatment[i] = far ? Treatment::kFar : plain ? Treatment::kPlain : Treatment::kCareful;
       plan.gate[i] = far ? open[i] : any_power ? static_cast<float>(kLeastLog2) : 0.0f;
       plan.any_far |= far;
@@ -196,21 +204,56 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
     position = std::max(position, std::abs(origin + tile.base[c]) + kHalf * slopes + expectation.excursion);
   }
   plan.bound += position * 0x1p-23;
-  if (!(plan.bound <= kRoundingPx)) treat_all_carefully(plan);
+  if (!(plan.bound <= tolerance.rounding)) treat_all_carefully(plan);
 }
 
+/// Adds what is not far to the sums, in blocks of chunks.
 template <int kChannels>
-void sum_near(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view, const Plan& plan,
-              Sums<kChannels>& sums) {
+class NearSum {
+ public:
+  NearSum(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view, Sums<kChannels>& sums,
+          Sums<kChannels>& earlier)
+      : tables_(tables), tile_(tile), view_(view), sums_(sums), earlier_(earlier) {}
+
+  template <WeightKind kKind>
+  void add(Treatment treatment, std::span<const int> lines) {
+    if (chunks_ == kChunksPerBlock) put_away();
+    ++chunks_;
+    if (treatment == Treatment::kPlain) {
+      PlainChunk<kChannels> chunk(tables_, tile_, view_, kKind, lines);
+      add_plain<kKind>(chunk, lines.size(), sums_);
+    } else {
+      CarefulChunk<kChannels> chunk(tables_, tile_, view_, lines);
+      add_careful<kKind>(chunk, lines.size(), sums_);
+    }
+  }
+  void finish() {
+    if (any_earlier_) sums_.add(earlier_);
+  }
+
+ private:
+  void put_away() {
+    if (!any_earlier_) earlier_.clear();
+    any_earlier_ = true;
+    earlier_.add(sums_);
+    sums_.clear();
+    chunks_ = 0;
+  }
+
+  const FieldTables& tables_;
+  const Tile<kChannels>& tile_;
+  const View<kChannels>& view_;
+  Sums<kChannels>& sums_;
+  Sums<kChannels>& earlier_;
+  int chunks_ = 0;
+  bool any_earlier_ = false;
+};
+
+template <int kChannels>
+void sum_near(const FieldTables& tables, const Plan& plan, NearSum<kChannels>& sum) {
   std::array<int, kLineChunk> lines;
   const auto add_chunk = [&]<WeightKind kKind>(Treatment treatment, std::span<const int> chosen) {
-    if (treatment == Treatment::kPlain) {
-      PlainChunk<kChannels> chunk(tables, tile, view, kKind, chosen);
-      add_plain<kKind>(chunk, chosen.size(), sums);
-    } else {
-      CarefulChunk<kChannels> chunk(tables, tile, view, chosen, sum_units(tables));
-      add_careful<kKind>(chunk, chosen.size(), sums);
-    }
+    sum.template add<kKind>(treatment, chosen);
   };
   for (const LineGroup& group : tables.groups()) {
     for (const Treatment treatment : {Treatment::kPlain, Treatment::kCareful}) {
@@ -224,6 +267,7 @@ void sum_near(const FieldTables& tables, const Tile<kChannels>& tile, const View
       }
     }
   }
+  sum.finish();
 }
 
 // ---- From sums to the caller's maps.
@@ -278,7 +322,7 @@ PixelBits emit_positions(const Tile<kChannels>& tile, const Sums<kChannels>& sum
         hn::MulAdd(largest, set(0x1p-23), hn::MulAdd(hn::Load(d, sums.error + pixel), inverse, set(plan.bound)));
     // The lines' distances are known to 2^-22 of themselves: this margin leaves the decision to the reference.
     const auto off_lines = hn::Ge(hn::Load(d, sums.nearest + pixel), set(kOnLinePx * (1 + 0x1p-8)));
-    const auto safe = hn::And(hn::Le(error, set(kRoundingPx)), off_lines);
+    const auto safe = hn::And(hn::Le(error, set(plan.allowed)), off_lines);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Not(safe), bits);
     PixelBits some = 0;
@@ -342,25 +386,24 @@ template <int kChannels>
 struct Workplace {
   View<kChannels> view;
   Plan plan;
-  Sums<kChannels> sums;
+  Sums<kChannels> sums, earlier;
 };
 
 /// Sums of all lines as they are planned.
 template <int kChannels>
 void sum_lines(const FieldTables& tables, const Tile<kChannels>& tile, Workplace<kChannels>& place) {
   Sums<kChannels>& sums = place.sums;
-  const auto fill = [](float* sum, float value) { std::fill(sum, sum + kTilePixels, value); };
   if (place.plan.any_far) {
     sum_far(tables, tile, place.view, place.plan.gate, sums);
   } else {
-    fill(sums.weight, 0);
-    for (float* channel : sums.channel) fill(channel, 0);
+    sums.clear();
   }
   if (place.plan.any_careful) {
-    fill(sums.error, 0);
-    fill(sums.nearest, HUGE_VALF);
+    std::fill(std::begin(sums.error), std::end(sums.error), 0.0f);
+    std::fill(std::begin(sums.nearest), std::end(sums.nearest), HUGE_VALF);
   }
-  sum_near(tables, tile, place.view, place.plan, sums);
+  NearSum<kChannels> near(tables, tile, place.view, sums, place.earlier);
+  sum_near(tables, place.plan, near);
 }
 
 /// What the sums turned out to be.

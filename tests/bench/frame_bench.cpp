@@ -66,9 +66,9 @@ void whole_frame(benchmark::State& state) {
 
 BENCHMARK(whole_frame)
     ->ArgNames({"lines", "threads", "filter"})
-    ->ArgsProduct({{10, 50, 100},
+    ->ArgsProduct({{10, 50, 500},
                    {1, 2},
-                   {static_cast<int>(warp::Filter::kBilinear), static_cast<int>(warp::Filter::kBicubic)}})
+                   {static_cast<int>(warp::Filter::kBilinear), static_cast<int>(warp::Filter::kArea)}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
