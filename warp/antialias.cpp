@@ -40,7 +40,7 @@ double lanczos(double x) {
 /// One coordinate of a footprint: u = row . (source - position).
 class Axis {
  public:
-  Axis(Filter filter, cv::Vec2d row) : filter_(filter), row_(row) {
+  Axis(Filter filter, const cv::Vec2d& row) : filter_(filter), row_(row) {
     if (filter != Filter::kArea) {
       reach_ = filter == Filter::kMitchell ? 2 : 3;
       return;
@@ -52,7 +52,7 @@ class Axis {
     reach_ = half_ + 2;
   }
 
-  double weight(cv::Vec2d offset) const {
+  double weight(const cv::Vec2d& offset) const {
     const double u = row_.dot(offset);
     if (filter_ == Filter::kMitchell) return mitchell(u);
     if (filter_ == Filter::kLanczos) return lanczos(u);
@@ -135,7 +135,7 @@ double point_distance(double sigma) {
 
 /// An area as points; see antialias.h.
 Pixel mean_of_points(const Image& source, const MapPoint& middle, const cv::SVD& svd, Border border) {
-  const auto at = [&](cv::Vec2d offset) {
+  const auto at = [&](const cv::Vec2d& offset) {
     const MapPoint position(static_cast<float>(static_cast<double>(middle[0]) + offset[0]),
                             static_cast<float>(static_cast<double>(middle[1]) + offset[1]));
     Pixel colour;

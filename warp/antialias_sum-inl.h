@@ -293,7 +293,7 @@ class Summer {
       for (int k = 0; k < count; k += lanes) {
         const auto left = static_cast<size_t>(std::min(lanes, count - k));
         const FloatVec all = weights.at(static_cast<float>(first + k) + to_dx);
-        sum.add(pixels + 4 * k, hn::IfThenElseZero(hn::FirstN(d, left), all), left);
+        sum.add(pixels + ptrdiff_t{4} * k, hn::IfThenElseZero(hn::FirstN(d, left), all), left);
       }
     }
     return sum.mean();

@@ -118,9 +118,8 @@ NodeSums<kChannels, kSide> sum_at_nodes(const FieldTables& tables, const Tile<kC
   NodeSums<kChannels, kSide> sums{};
   const auto add_group = [&]<WeightKind kKind>(const LineGroup& group) {
     for (size_t i = 0; i < static_cast<size_t>(group.count); i += hn::Lanes(d)) {
-      if (i > 0 && i % (kChunksPerBlock * kLineChunk) == 0) collect(nodes, sums);
-      add_to_nodes<kKind>(d, tables, view, tile.scale, gates(group), offsets, static_cast<size_t>(group.begin) + i,
-                          nodes);
+      if (i > 0 && i % (size_t{kChunksPerBlock} * kLineChunk) == 0) collect(nodes, sums);
+      add_to_nodes<kKind>(d, tables, view, tile.scale, gates(group), offsets, group.first() + i, nodes);
     }
   };
   for (const LineGroup& group : tables.groups()) with_kind(group.kind, add_group, group);

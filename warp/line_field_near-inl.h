@@ -28,7 +28,8 @@ constexpr int kChunksPerBlock = 16;
 
 inline double sum_units(const FieldTables& tables) {
   const int chunks = tables.padded() / kLineChunk;
-  return kLineChunk + std::min(chunks, kChunksPerBlock) + chunks / kChunksPerBlock + 4;
+  const int blocks = chunks / kChunksPerBlock;
+  return kLineChunk + std::min(chunks, kChunksPerBlock) + blocks + 4;
 }
 
 /// Weights and weighted channels of a tile's pixels, row by row.

@@ -115,8 +115,7 @@ void bound_errors(const FieldTables& tables, const View<kChannels>& view, const 
   for (const LineGroup& group : tables.groups()) {
     const double power_units = group.kind == WeightKind::kAny ? kQuickPowerUnits : 0;
     const auto other_units = static_cast<float>(6 + power_units + sum_units(tables) + 3);
-    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count);
-         i += hn::Lanes(d)) {
+    for (size_t i = group.first(); i < group.end(); i += hn::Lanes(d)) {
       const auto load = [d, i](const PerLine& array) { return hn::LoadU(d, &array[i]); };
       const auto a = load(tables.a_single);
       const auto b = hn::Neg(load(tables.power_single));
@@ -145,7 +144,7 @@ float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px
   constexpr int kLeast = -40, kMost = 0;
   std::array<float, kMost - kLeast + 1> sums{};
   for (const LineGroup& group : tables.groups()) {
-    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count); ++i) {
+    for (size_t i = group.first(); i < group.end(); ++i) {
       const float error = plan.interpolation[i];
       if (error < 1) sums[static_cast<size_t>(std::max(exponent_of(error), kLeast) - kLeast)] += error;
     }
@@ -181,7 +180,7 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
   for (const LineGroup& group : tables.groups()) {
     const bool any_power = group.kind == WeightKind::kAny;
     const PerLine& open = any_power ? tables.scale_single : tables.root_single;
-    for (auto i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count); ++i) {
+    for (size_t i = group.first(); i < group.end(); ++i) {
       const bool far = plan.interpolation[i] < limit;
       const bool plain = static_cast<double>(plan.rounding[i]) <= kPlainLinePart * tolerance.rounding &&
                          tables.root_single[i] >= kLeastRoot;
@@ -191,8 +190,7 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
       plan.any_careful |= !far && !plain;
       if (far || plain) plan.bound += static_cast<double>(plan.rounding[i]);
     }
-    const auto end = static_cast<size_t>(group.begin + (group.count + kLineChunk - 1) / kLineChunk * kLineChunk);
-    for (auto i = static_cast<size_t>(group.begin + group.count); i < end; ++i)
+    for (size_t i = group.end(); i < group.padded_end(); ++i)
       plan.gate[i] = any_power ? static_cast<float>(kLeastLog2) : 0.0f;
   }
   // Both results are rounded to float at the end: 2^-23 of the position between them.
@@ -337,7 +335,7 @@ void emit_values(const FieldTables& tables, const Tile<kChannels>& tile, const S
                  Part columns, float* out) {
   constexpr size_t kValue = kChannels - 1;
   for (int x = columns.begin; x < columns.end; ++x) {
-    const auto pixel = static_cast<size_t>(y * kFieldTile + x);
+    const size_t pixel = static_cast<size_t>(y) * kFieldTile + static_cast<size_t>(x);
     const double mean = static_cast<double>(sums.channel[kValue][pixel] / sums.weight[pixel]);
     *out++ = static_cast<float>(tables.value_from_channel(tile.base[kValue] + mean));
   }
@@ -368,7 +366,7 @@ int emit_row(const FieldTables& tables, const Tile<kChannels>& tile, const Sums<
     MapPoint* out = &target.positions[static_cast<size_t>(tile.channels[c]) / 2](first);
     float row[2 * kFieldTile];
     unsafe |= emit_positions(tile, sums, plan, c, y, whole ? out->val : row);
-    if (!whole) std::copy(row + 2 * columns.begin, row + 2 * columns.end, out->val);
+    if (!whole) std::copy(row + ptrdiff_t{2} * columns.begin, row + ptrdiff_t{2} * columns.end, out->val);
   }
   if constexpr (kChannels % 2 == 1) emit_values(tables, tile, sums, y, columns, &(*target.values)(first));
   if (unsafe == 0) return 0;

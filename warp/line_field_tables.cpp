@@ -185,6 +185,7 @@ void FieldTables::fill_singles() {
 const NodeTable& node_table() {
   static const NodeTable table = [] {
     NodeTable nodes{};
+    constexpr int kMiddlePixel = kFieldTile / 2;
     constexpr double kMiddle = -0.5, kHalfWidth = (kFieldTile - 1) / 2.0;
     double offset[kFieldNodes];
     for (int j = 0; j < kFieldNodes; ++j) {
@@ -197,7 +198,7 @@ const NodeTable& node_table() {
       for (int k = 0; k < kFieldTile; ++k) {
         double product = 1;
         for (int other = 0; other < kFieldNodes; ++other) {
-          if (other != j) product *= (k - kFieldTile / 2 - offset[other]) / (offset[j] - offset[other]);
+          if (other != j) product *= (k - kMiddlePixel - offset[other]) / (offset[j] - offset[other]);
         }
         nodes.basis[j][k] = static_cast<float>(product);
       }

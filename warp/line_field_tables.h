@@ -40,6 +40,11 @@ struct LineGroup {
   WeightKind kind = WeightKind::kAny;
   int begin = 0;
   int count = 0;
+
+  // As indices of arrays.
+  size_t first() const { return static_cast<size_t>(begin); }
+  size_t end() const { return static_cast<size_t>(begin) + static_cast<size_t>(count); }
+  size_t padded_end() const { return (end() + kLineChunk - 1) / kLineChunk * kLineChunk; }
 };
 
 /// Lines as arrays, one entry per line, sorted by kind. Gaps between groups are filled with lines of weight 0.

@@ -111,7 +111,7 @@ void look_at_lines(const FieldTables& tables, Tile<kChannels>& tile, View<kChann
   for (int c = 0; c < kChannels; ++c) at[c] = slope_x[c] = slope_y[c] = hn::Zero(d);
   for (size_t i = 0; i < static_cast<size_t>(tables.padded()); i += hn::Lanes(d)) {
     const auto load = [d, i](const auto& array) { return hn::LoadU(d, &array[i]); };
-    const auto store = [d, df, i](V value, PerLine& to) { hn::StoreU(hn::DemoteTo(df, value), df, &to[i]); };
+    const auto store = [df, i](V value, PerLine& to) { hn::StoreU(hn::DemoteTo(df, value), df, &to[i]); };
     const V dx = hn::Sub(hn::Set(d, tile.x), load(tables.origin_x));
     const V dy = hn::Sub(hn::Set(d, tile.y), load(tables.origin_y));
     const V ux = load(tables.along_x);
@@ -193,8 +193,7 @@ template <int kChannels>
 void weigh(const FieldTables& tables, const Tile<kChannels>& tile, View<kChannels>& view) {
   const hn::CappedTag<float, kLineChunk> d;
   const auto weigh_group = [&]<WeightKind kKind>(const LineGroup& group) {
-    for (size_t i = static_cast<size_t>(group.begin); i < static_cast<size_t>(group.begin + group.count);
-         i += hn::Lanes(d)) {
+    for (size_t i = group.first(); i < group.end(); i += hn::Lanes(d)) {
       const auto distance = hn::LoadU(d, &view.distance[i]);
       const auto nearest = hn::Max(hn::Sub(distance, hn::Set(d, static_cast<float>(kRadiusPx))), hn::Zero(d));
       const auto reach =

@@ -174,7 +174,7 @@ HWY_INLINE void NearestTaps::sum(const Batch& batch, const Batch& next, size_t s
 HWY_INLINE void BilinearTaps::sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out) {
   const hn::CappedTag<float, 8> d;
   using V = hn::Vec<decltype(d)>;
-  const auto between = [d](V a, V b, V weight) HWY_ATTR { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); };
+  const auto between = [](V a, V b, V weight) HWY_ATTR { return hn::Add(a, hn::Mul(weight, hn::Sub(b, a))); };
   const auto column = [&](size_t i, size_t offset) HWY_ATTR {
     const uint8_t* tap = batch.tap[i] + offset;
     return between(hn::LoadU(d, floats(tap)), hn::LoadU(d, floats(tap + step)), hn::Set(d, batch.down[i]));
