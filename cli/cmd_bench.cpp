@@ -37,10 +37,6 @@ const cv::Size kUsualSize(1920, 1080);
 constexpr double kMoment = 0.5;
 constexpr unsigned kSeed = 42;
 
-const std::map<std::string, warp::Filter> kFilters{
-    {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
-    {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
-
 struct Stage {
   const char* key;   ///< for machines
   const char* name;  ///< for people
@@ -147,7 +143,7 @@ Material make_material(const BenchOptions& options) {
     material.pictures = render::load_pictures(material.project);
   }
   if (!options.size.empty()) material.project.output.size = size;
-  if (!options.filter.empty()) material.project.warp.filter = kFilters.at(options.filter);
+  if (!options.filter.empty()) material.project.warp.filter = filter_names().at(options.filter);
   return material;
 }
 
@@ -221,8 +217,8 @@ std::vector<Stage> measure(const render::Renderer& renderer) {
 
 std::string filter_name(warp::Filter filter) {
   const auto found =
-      std::find_if(kFilters.begin(), kFilters.end(), [&](const auto& it) { return it.second == filter; });
-  return found == kFilters.end() ? "unknown" : found->first;
+      std::find_if(filter_names().begin(), filter_names().end(), [&](const auto& it) { return it.second == filter; });
+  return found == filter_names().end() ? "unknown" : found->first;
 }
 
 void print_text(const render::Renderer& renderer, const std::vector<Stage>& stages, Output& output) {
@@ -264,7 +260,7 @@ void add_bench(CLI::App& app, Session& session) {
       ->check(CLI::Range(0, 100'000).description(""));
   command->add_option("--filter", options->filter, "nearest, bilinear, bicubic, area, mitchell, lanczos")
       ->type_name("FILTER")
-      ->check(CLI::IsMember(kFilters));
+      ->check(CLI::IsMember(filter_names()));
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->callback(
       [&session, options] { session.action = [options](Output& output) { return run_bench(*options, output); }; });

@@ -59,6 +59,9 @@ void add_map(CLI::App& app, Session& session) {
   command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
   command->add_option("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)")->type_name("T");
   command->add_option("--frames", options->frames, "Or these frames, into numbered files")->type_name("RANGE");
+  command->add_option("--field", options->field, "How the field of lines is evaluated: adaptive (default), exact")
+      ->type_name("FIELD")
+      ->check(CLI::IsMember(field_names()));
   command->add_option("--side", options->side, "Which picture the map looks into: source (default), destination")
       ->type_name("SIDE")
       ->check(CLI::IsMember({"source", "destination"}));
@@ -78,7 +81,8 @@ int run_map(const MapOptions& options, Output& output) {
   if (options.t.has_value() == !options.frames.empty())
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
-  const project::Project project = project_from(options.inputs, options.features);
+  project::Project project = project_from(options.inputs, options.features);
+  if (!options.field.empty()) project.warp.field = field_names().at(options.field);
   const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
   if (!options.t) return write_frames(options, renderer, output);
   write_moment(options, renderer, *options.t, options.output);

@@ -20,6 +20,7 @@ struct MapOptions {
   std::filesystem::path features;             ///< for two pictures; empty: none
   std::optional<double> t;                    ///< one moment
   std::string frames;                         ///< or frames: "1-48"
+  std::string field;                          ///< of field_names(); empty: as the project says
   std::string side = "source";                ///< "source" | "destination"
   std::string origin = "bottom-left";         ///< "bottom-left" | "top-left"
   std::filesystem::path output;

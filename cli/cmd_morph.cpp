@@ -45,6 +45,8 @@ void apply_overrides(const MorphOptions& options, project::Project& project) {
   project::Output& output = project.output;
   if (!options.size.empty()) output.size = parse_size(options.size);
   if (!options.fit.empty()) output.fit = kFits.at(options.fit);
+  if (!options.filter.empty()) project.warp.filter = filter_names().at(options.filter);
+  if (!options.field.empty()) project.warp.field = field_names().at(options.field);
   if (options.frame_count > 0) output.frames = options.frame_count;
   if (options.fps.empty()) return;
   const auto rate = two_numbers(options.fps.find('/') == std::string::npos ? options.fps + "/1" : options.fps, '/');
@@ -178,6 +180,14 @@ void add_options(CLI::App& command, MorphOptions& options) {
   command.add_option("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none")
       ->type_name("FIT")
       ->check(CLI::IsMember(kFits));
+  command
+      .add_option("--filter", options.filter,
+                  "How colours are found: area (default), mitchell, lanczos, bicubic, bilinear, nearest")
+      ->type_name("FILTER")
+      ->check(CLI::IsMember(filter_names()));
+  command.add_option("--field", options.field, "How the field of lines is evaluated: adaptive (default), exact")
+      ->type_name("FIELD")
+      ->check(CLI::IsMember(field_names()));
   command.add_option("--fps", options.fps, "Frames per second of a video: 25, 30000/1001")->type_name("RATE");
   command.add_option("--depth", options.depth, "Bits of frame files: 8, 16, half, float")->type_name("DEPTH");
   command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
@@ -239,6 +249,19 @@ void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& 
 std::string unused_mesh_note(const project::Project& project) {
   if (!project.mesh || project::method_of(project) == project::Method::kMesh) return "";
   return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
+}
+
+const std::map<std::string, warp::Filter>& filter_names() {
+  static const std::map<std::string, warp::Filter> names{
+      {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
+      {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
+  return names;
+}
+
+const std::map<std::string, warp::FieldAccuracy>& field_names() {
+  static const std::map<std::string, warp::FieldAccuracy> names{{"adaptive", warp::FieldAccuracy::kAdaptive},
+                                                                {"exact", warp::FieldAccuracy::kExact}};
+  return names;
 }
 
 cv::Size parse_size(const std::string& text) {

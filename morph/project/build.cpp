@@ -159,6 +159,7 @@ ObjectBuilder warp_object(const Project& project, bool defaults) {
   warp.unless(project.warp.spline == Warp{}.spline, "spline", named(kMeshSplines, project.warp.spline));
   warp.unless(project.warp.order == Warp{}.order, "order", named(kPassOrders, project.warp.order));
   add_warp_influence(warp, project.influence);
+  warp.unless(project.warp.field == Warp{}.field, "field", named(kFields, project.warp.field));
   warp.unless(project.warp.filter == Warp{}.filter, "filter", named(kFilters, project.warp.filter));
   warp.unless(!project.warp.border, "border", named(kBorders, project.warp.border));
   return warp;

@@ -86,9 +86,10 @@ enum class Method {
 };
 
 struct Warp {
-  std::optional<Method> method;                           ///< nothing: see method_of
-  warp::MeshSpline spline = warp::MeshSpline::kMonotone;  ///< kMesh only
-  warp::PassOrder order = warp::PassOrder::kAuto;         ///< kMesh only
+  std::optional<Method> method;                                ///< nothing: see method_of
+  warp::MeshSpline spline = warp::MeshSpline::kMonotone;       ///< kMesh only
+  warp::PassOrder order = warp::PassOrder::kAuto;              ///< kMesh only
+  warp::FieldAccuracy field = warp::FieldAccuracy::kAdaptive;  ///< kLines only
   warp::Filter filter = warp::Filter::kArea;
   /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
   std::optional<warp::Border> border;

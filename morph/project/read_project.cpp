@@ -151,10 +151,11 @@ Side read_side(const Cursor& at) {
 }
 
 void read_warp(const Cursor& at, Project& project) {
-  at.allow_keys({"method", "spline", "order", "a", "b", "p", "scale", "between", "turns", "filter", "border"});
+  at.allow_keys({"method", "spline", "order", "a", "b", "p", "scale", "between", "turns", "field", "filter", "border"});
   if (const auto method = at.find("method")) project.warp.method = choose(*method, "method", kMethods);
   if (const auto spline = at.find("spline")) project.warp.spline = choose(*spline, "spline", kMeshSplines);
   if (const auto order = at.find("order")) project.warp.order = choose(*order, "order", kPassOrders);
+  if (const auto field = at.find("field")) project.warp.field = choose(*field, "field", kFields);
   if (const auto filter = at.find("filter")) project.warp.filter = choose(*filter, "filter", kFilters);
   if (const auto border = at.find("border")) project.warp.border = choose(*border, "border", kBorders);
   read_warp_influence(at, project.influence);

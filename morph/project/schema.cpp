@@ -57,6 +57,7 @@ constexpr const char* kRoot = R"json({
         "scale": {"$ref": "#/$defs/scale"},
         "between": {"$ref": "#/$defs/between"},
         "turns": {"$ref": "#/$defs/turns"},
+        "field": {"enum": ["adaptive", "exact"], "description": "How the field of lines is evaluated: adaptive interpolates the pull of far lines, within 1/32 pixel of the exact field, which takes several times as long. Default: adaptive."},
         "filter": {"enum": ["nearest", "bilinear", "bicubic", "area", "mitchell", "lanczos"], "description": "How colours are found: at a point (the first three), or as a mean over what lies under the output pixel, so that nothing aliases where the picture shrinks. Default: area."},
         "border": {"enum": ["auto", "transparent", "clamp", "mirror"], "description": "What lies beyond the edge of a picture. Default: auto, that is clamp where the picture covers the canvas and transparent where it does not."}
       }

@@ -24,6 +24,8 @@ inline constexpr std::pair<std::string_view, warp::LineScale> kScales[] = {{"alo
                                                                            {"uniform", warp::LineScale::kUniform}};
 inline constexpr std::pair<std::string_view, Between> kBetweens[] = {{"endpoints", Between::kEndpoints},
                                                                      {"centre", Between::kCentre}};
+inline constexpr std::pair<std::string_view, warp::FieldAccuracy> kFields[] = {
+    {"adaptive", warp::FieldAccuracy::kAdaptive}, {"exact", warp::FieldAccuracy::kExact}};
 inline constexpr std::pair<std::string_view, warp::Filter> kFilters[] = {
     {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
     {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};

@@ -86,7 +86,7 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
   if (moment.local_dissolve) scratch.dissolve.create(out.size());
 
   std::array positions{scratch.source, scratch.destination};
-  moment.field.evaluate({0, top, out.cols, out.rows}, warp::FieldAccuracy::kAdaptive, positions,
+  moment.field.evaluate({0, top, out.cols, out.rows}, project_.warp.field, positions,
                         moment.local_dissolve ? &scratch.dissolve : nullptr);
   if (!moment.needs_source) return sample_side(stage_.destination, scratch.destination, out);
   sample_side(stage_.source, scratch.source, out);
@@ -110,7 +110,7 @@ warp::Map LineMorpher::map(double t, SideName side_name) const {
         const warp::Map rest(wanted.size());
         const bool first = side_name == SideName::kSource;
         std::array positions{first ? wanted : rest, first ? rest : wanted};
-        field.evaluate({0, begin, map.cols, end - begin}, warp::FieldAccuracy::kAdaptive, positions);
+        field.evaluate({0, begin, map.cols, end - begin}, project_.warp.field, positions);
         for (int y = 0; y < wanted.rows; ++y)
           to_image(stage_.side(side_name).file, {wanted[y], static_cast<std::size_t>(wanted.cols)});
       },

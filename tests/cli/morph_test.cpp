@@ -112,6 +112,23 @@ TEST_F(Morph, AnyChunkingAndAnyThreadsGiveTheSameBytes) {
   for (const std::string& name : files("chunk")) expect_same(folder_ / name, folder_ / ("whole" + name.substr(5)));
 }
 
+TEST_F(Morph, TheExactFieldIsWithinATrifleOfTheAdaptive) {
+  EXPECT_EQ(run({"morph", "pair.json", "-t", "0.5", "-o", "adaptive.png"}).exit_code, 0);
+  EXPECT_EQ(run({"morph", "pair.json", "-t", "0.5", "-o", "exact.png", "--field", "exact"}).exit_code, 0);
+  // A fiftieth of a pixel of pictures that change by a sixtieth per pixel.
+  const RunResult result = run({"compare", "adaptive.png", "exact.png", "--tolerance", "0.01"});
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+}
+
+TEST_F(Morph, FiltersAreToldApart) {
+  for (const char* filter : {"nearest", "bilinear", "bicubic", "area", "mitchell", "lanczos"}) {
+    const std::string file = std::string(filter) + ".png";
+    EXPECT_EQ(run({"morph", "pair.json", "-t", "0.5", "-o", file, "--filter", filter}).exit_code, 0) << filter;
+  }
+  EXPECT_NE(read_text(folder_ / "nearest.png"), read_text(folder_ / "bilinear.png"));
+  EXPECT_NE(read_text(folder_ / "bilinear.png"), read_text(folder_ / "bicubic.png"));
+}
+
 TEST_F(Morph, AMomentIsOnePicture) {
   EXPECT_EQ(run({"morph", "pair.json", "-t", "0", "-o", "moment.tif"}).exit_code, 0);
   EXPECT_EQ(run({"compare", "moment.tif", "a.png"}).exit_code, 0);
@@ -227,6 +244,8 @@ TEST_F(Morph, RefusesWrongUse) {
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--size", "640"}), 2, {"640", "1280x720"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--fps", "fast"}), 2, {"fast", "30000/1001"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--fit", "squash"}), 2, {"squash"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--filter", "sharp"}), 2, {"--filter", "sharp"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--field", "rough"}), 2, {"--field", "rough"});
   expect_error(run({"morph", "pair.json", "-o", "out.png", "-t", "2"}), 2, {"2"});
   expect_error(run({"morph", "pair.json", "-o", "out.png", "-t", "nan"}), 2, {"nan"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--depth", "12"}), 2, {"12"});

@@ -1,7 +1,6 @@
 // Bends an image by one pair of lines, with morphkit::warp alone. The pair is a shift by (3, 1), so the result is
 // known.
 #include <cstdio>
-#include <span>
 
 #include "warp/line_field.h"
 #include "warp/sample.h"
@@ -20,10 +19,7 @@ int main() {
   const LineField field({&line, 1}, 1);
 
   Map map(source.size());
-  for (int y = 0; y < map.rows; ++y) {
-    const std::span<MapPoint> row(map[y], std::size_t(map.cols));
-    field.row(y, 0, {&row, 1});
-  }
+  field.evaluate({0, 0, map.cols, map.rows}, FieldAccuracy::kExact, {&map, 1});
   const Image bent = sample(source, map, {Filter::kNearest, Border::kTransparent});
 
   for (int y = 0; y < bent.rows; ++y) {

@@ -49,7 +49,7 @@ inline constexpr const char* kFull = R"({
      "transition": {"dissolve": {"ease": "sine", "delay": 0.25, "duration": 0.5}}}
   ],
   "warp": {"method": "lines", "a": 1, "b": 2, "p": 0, "scale": "along", "between": "centre", "turns": -1,
-           "filter": "bicubic", "border": "auto"},
+           "field": "exact", "filter": "bicubic", "border": "auto"},
   "transition": {"blend": "linear", "dissolve": "linear",
                  "shape": {"ease": "keys", "keys": [[0, 0], [0.4, 0.9, 0.1], [1, 1]]}},
   "output": {"fps": "24", "frames": 48, "size": [1280, 720], "background": "#FFffFF"}
