@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "warp/sample.h"
+#include "warp/border.h"
 
 namespace morphkit::warp::detail {
 
@@ -26,17 +26,6 @@ inline Place place(double position, int size, Border border) {
   }
   const double base = std::floor(position);
   return {static_cast<std::int64_t>(base), static_cast<float>(position - base)};
-}
-
-/// The pixel that stands at `index` of an axis; -1 if none does.
-inline int resolve(std::int64_t index, int size, Border border) {
-  if (index >= 0 && index < size) return static_cast<int>(index);
-  if (border == Border::kTransparent) return -1;
-  if (border == Border::kClamp) return index < 0 ? 0 : size - 1;
-  // Reflected at the edge, which lies half a pixel outside the last centre: the edge pixel appears twice.
-  const std::int64_t period = 2 * static_cast<std::int64_t>(size);
-  const std::int64_t phase = ((index % period) + period) % period;
-  return static_cast<int>(phase < size ? phase : period - 1 - phase);
 }
 
 }  // namespace morphkit::warp::detail
