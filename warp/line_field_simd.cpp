@@ -4,8 +4,8 @@
 //  - Everything affine is evaluated in double once per tile and line, at the tile's middle pixel.
 //  - Displacements are taken relative to a base, an affine guess at the tile's mean, so that only their differences are
 //    rounded; a single pair or equal pairs come out as good as in double.
-//  - Weights are summed a chunk of lines at a time: the error of a sum grows with chunk + lines / chunk, not with
-//  lines.
+//  - Weights are summed a chunk of lines at a time, and chunks in blocks, so that the error of a sum hardly grows with
+//    the number of lines.
 //  - Every line's part in the error of a tile's means is bounded beforehand. Lines for which that is too much, those so
 //    near that a float does not hold their distance well enough, are treated carefully: distances as two floats, and
 //    the bound on the error accumulated with the weights themselves, pixel by pixel. A pixel that cannot be shown to be
