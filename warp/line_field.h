@@ -64,7 +64,7 @@ class LineField {
   int targets() const noexcept;
   bool empty() const noexcept;  ///< no lines: the identity
 
-  /// Target positions of the centres of the output pixels of `area`, which may lie anywhere.
+  /// Target positions of the centres of the output pixels of `area`, which may lie anywhere within 2^30 px.
   /// @param positions  one map of area's size per target; written through.
   /// @param values     weighted mean of the lines' values, of area's size; null if not wanted. 0 without lines.
   /// @throws std::invalid_argument on the wrong number or size of maps.

@@ -344,6 +344,7 @@ HWY_EXPORT(run_area);
 
 int simd_evaluate(const FieldTables& tables, cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions,
                   cv::Mat1f* values) {
+  if (area.empty()) return 0;
   if (tables.lines() == 0) {
     for (Map& map : positions) {
       for (int y = 0; y < area.height; ++y) {
