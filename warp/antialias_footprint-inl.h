@@ -34,10 +34,6 @@ struct Neighbours {
 /// Of the pixels of a block: u and v are row . (source - position), zero weight from u_reach, v_reach on.
 struct Footprints {
   alignas(64) float blend[kBlock];  ///< 0: points; 1: nothing but a sum
-  // Of an area that is made of points, px from the middle; all 0 where it is one point.
-  alignas(64) float pair_x[kBlock], pair_y[kBlock];                                      ///< d1 U1
-  alignas(64) float four_x1[kBlock], four_y1[kBlock], four_x2[kBlock], four_y2[kBlock];  ///< columns of S R
-  alignas(64) float four_part[kBlock];                                                   ///< 0: two points; 1: four
   alignas(64) float ux[kBlock], uy[kBlock], vx[kBlock], vy[kBlock];
   alignas(64) float u_half[kBlock], v_half[kBlock];  ///< of the area's slabs
   alignas(64) float u_reach[kBlock], v_reach[kBlock];
@@ -206,74 +202,24 @@ HWY_INLINE FloatVec ramp(FloatVec value, float begin, float end) {
   return hn::Mul(hn::Mul(held, held), hn::NegMulAdd(hn::Set(d, 2.0F), held, hn::Set(d, 3.0F)));
 }
 
-/// How far points lie from the middle that have the variance of a square of side sigma, less a source pixel's own.
-HWY_INLINE FloatVec point_distance(FloatVec sigma) {
-  const Floats d;
-  const FloatVec side = hn::Min(sigma, hn::Set(d, kSumEnd));
-  const FloatVec variance = hn::Mul(hn::MulAdd(side, side, hn::Set(d, -kOwnSquare)), hn::Set(d, 1.0F / 12));
-  return hn::Sqrt(hn::Max(hn::Mul(ramp(sigma, kRampBegin, kRampEnd), variance), hn::Zero(d)));
-}
-
-/// Points of an area; see antialias.h.
-HWY_INLINE void place_points(const Jacobian& j, const Decomposition& s, size_t i, Footprints& f) {
-  const Floats d;
-  const FloatVec zero = hn::Zero(d);
-  const FloatVec first = point_distance(s.larger), second = point_distance(s.smaller);
-  hn::Store(hn::Mul(hn::Sqrt(hn::Max(s.xx, zero)), first), d, f.pair_x + i);
-  hn::Store(hn::Mul(hn::CopySign(hn::Sqrt(hn::Max(s.yy, zero)), s.xy), first), d, f.pair_y + i);
-  const FloatVec root_xx = hn::MulAdd(first, s.xx, hn::Mul(second, s.yy));
-  const FloatVec root_xy = hn::Mul(hn::Sub(first, second), s.xy);
-  const FloatVec root_yy = hn::MulAdd(first, s.yy, hn::Mul(second, s.xx));
-  // R turns by the angle of (p, q), or mirrors.
-  const auto mirrored = hn::Lt(s.det, zero);
-  const FloatVec p = hn::IfThenElse(mirrored, hn::Sub(j.a, j.d), hn::Add(j.a, j.d));
-  const FloatVec q = hn::IfThenElse(mirrored, hn::Add(j.c, j.b), hn::Sub(j.c, j.b));
-  const FloatVec length = hn::Max(hn::Sqrt(hn::MulAdd(p, p, hn::Mul(q, q))), hn::Set(d, 1e-20F));
-  const FloatVec cos = hn::Div(p, length), sin = hn::Div(q, length);
-  const FloatVec other_x = hn::IfThenElse(mirrored, sin, hn::Neg(sin));
-  const FloatVec other_y = hn::IfThenElse(mirrored, hn::Neg(cos), cos);
-  hn::Store(hn::MulAdd(root_xx, cos, hn::Mul(root_xy, sin)), d, f.four_x1 + i);
-  hn::Store(hn::MulAdd(root_xy, cos, hn::Mul(root_yy, sin)), d, f.four_y1 + i);
-  hn::Store(hn::MulAdd(root_xx, other_x, hn::Mul(root_xy, other_y)), d, f.four_x2 + i);
-  hn::Store(hn::MulAdd(root_xy, other_x, hn::Mul(root_yy, other_y)), d, f.four_y2 + i);
-  const FloatVec ratio = hn::Div(second, hn::Max(first, hn::Set(d, 1e-20F)));
-  hn::Store(ramp(ratio, 0, kFourPoints), d, f.four_part + i);
-}
-
-/// @return  whether any pixel of the block is more than a point. What has no sum is not filled in but for `blend`, and
-/// for the points of an area.
+/// The sums of a block. What has none is not filled in but for `blend`.
+/// @param blend  of the vector's worth of pixels from the block's i-th on: 0 no sum, 1 nothing else.
 template <Filter kFilter>
-HWY_NOINLINE bool find_footprints(const Neighbours& n, Footprints& footprints) {
+HWY_INLINE void make_footprints(const Jacobian& j, const Decomposition& shape, FloatVec blend, size_t i,
+                                Footprints& footprints) {
   const Floats d;
-  const FloatVec zero = hn::Zero(d);
-  bool any = false;
-  for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
-    const Points centre(n.centre + 2 * i);
-    const Jacobian j = jacobian(n, i, centre);
-    const Decomposition shape(j);
-    constexpr bool kHasPoints = kFilter == Filter::kArea;
-    const FloatVec smooth =
-        kHasPoints ? ramp(shape.larger, kSumBegin, kSumEnd) : ramp(shape.larger, kRampBegin, kRampEnd);
-    const FloatVec blend = hn::IfThenElseZero(finite(centre), smooth);
-    hn::Store(blend, d, footprints.blend + i);
-    if constexpr (kHasPoints) {
-      any = any || !hn::AllFalse(d, hn::Gt(shape.larger, hn::Set(d, kRampBegin)));
-      place_points(j, shape, i, footprints);
-    }
-    if (hn::AllFalse(d, hn::Gt(blend, zero))) continue;
-    any = true;
-    invert(j, shape, most_stretch(kFilter), i, footprints);
-    if constexpr (kFilter == Filter::kArea) {
-      make_slab(footprints.ux + i, footprints.uy + i, footprints.u_half + i, footprints.u_reach + i);
-      make_slab(footprints.vx + i, footprints.vy + i, footprints.v_half + i, footprints.v_reach + i);
-    } else {
-      const FloatVec reach = hn::Set(d, kFilter == Filter::kMitchell ? 2.0F : 3.0F);
-      hn::Store(reach, d, footprints.u_reach + i);
-      hn::Store(reach, d, footprints.v_reach + i);
-    }
-    bound(i, footprints);
+  hn::Store(blend, d, footprints.blend + i);
+  if (hn::AllFalse(d, hn::Gt(blend, hn::Zero(d)))) return;
+  invert(j, shape, most_stretch(kFilter), i, footprints);
+  if constexpr (kFilter == Filter::kArea) {
+    make_slab(footprints.ux + i, footprints.uy + i, footprints.u_half + i, footprints.u_reach + i);
+    make_slab(footprints.vx + i, footprints.vy + i, footprints.v_half + i, footprints.v_reach + i);
+  } else {
+    const FloatVec reach = hn::Set(d, kFilter == Filter::kMitchell ? 2.0F : 3.0F);
+    hn::Store(reach, d, footprints.u_reach + i);
+    hn::Store(reach, d, footprints.v_reach + i);
   }
-  return any;
+  bound(i, footprints);
 }
 
 }  // namespace HWY_NAMESPACE

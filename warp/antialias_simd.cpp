@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "warp/antialias.h"
 #include "warp/border.h"
@@ -25,6 +26,7 @@
 #include "hwy/highway.h"
 
 #include "warp/antialias_footprint-inl.h"
+#include "warp/antialias_points-inl.h"
 #include "warp/antialias_sum-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,94 +73,82 @@ class Band {
   std::array<std::array<MapPoint, kBlock + 2>, 3> edge_;
 };
 
-/// The points that a block's pixels are made of: one, or two and four in parts.
-class BlockPoints {
+/// The rows of a band, a segment after the other.
+template <Filter kFilter>
+class Rows {
  public:
-  /// @param pixel  where the colour goes.
-  void add_point(const MapPoint& middle, Pixel& pixel) { add(middle, pixel, 1, 0); }
+  Rows(const Image& source, const Map& positions, Border border)
+      : source_(source), positions_(positions), border_(border), band_(positions), summer_(source, border) {}
 
-  void add_area(const MapPoint& middle, const Footprints& f, size_t i, Pixel& pixel) {
-    const MapPoint pair(f.pair_x[i], f.pair_y[i]);
-    if (pair == MapPoint(0, 0)) return add_point(middle, pixel);
-    const float part = f.four_part[i];
-    if (part < 1) {
-      add(middle - pair, pixel, 2, 1 - part);
-      positions_[size_++] = middle + pair;
-    }
-    if (part > 0) {
-      const MapPoint first(f.four_x1[i], f.four_y1[i]), second(f.four_x2[i], f.four_y2[i]);
-      add(middle - first - second, pixel, 4, part);
-      for (const MapPoint& position : {middle - first + second, middle + first - second, middle + first + second})
-        positions_[size_++] = position;
-    }
-  }
-
-  void read(const Image& source, Border border) {
-    reconstruct_row(source, {positions_.data(), size_}, Kernel::kBicubic, border, {colours_.data(), size_});
-    const Pixel* next = colours_.data();
-    for (size_t i = 0; i < groups_; ++i) {
-      const Group& group = group_[i];
-      if (group.count == 1) *group.pixel = next[0];
-      if (group.count == 2) *group.pixel = (next[0] + next[1]) * 0.5F;
-      if (group.count == 4) {
-        const Pixel mean = ((next[0] + next[1]) + (next[2] + next[3])) * 0.25F;
-        *group.pixel = group.part < 1 ? *group.pixel + (mean - *group.pixel) * group.part : mean;
-      }
-      next += group.count;
+  void run(int y, size_t begin, std::span<Pixel> out) {
+    points_.clear();
+    sums_ = 0;
+    for (size_t at = 0; at < out.size(); at += kBlock) add_block(band_.around(y, begin + at), y, begin, at);
+    points_.read(source_, border_, out);
+    for (size_t i = 0; i < sums_; ++i) {
+      const Sum& sum = sum_[i];
+      Pixel& pixel = out[sum.at];
+      pixel = sum.part < 1 ? pixel + sum.part * (sum.mean - pixel) : sum.mean;
     }
   }
 
  private:
-  struct Group {
-    Pixel* pixel;
-    size_t count;  ///< of points
-    float part;    ///< of four points, that of the mean; two come before
+  struct Sum {
+    size_t at;
+    float part;
+    Pixel mean;
   };
 
-  void add(const MapPoint& position, Pixel& pixel, size_t count, float part) {
-    group_[groups_++] = {&pixel, count, part};
-    positions_[size_++] = position;
+  void add_block(const Neighbours& around, int y, size_t begin, size_t at) {
+    if (all_points(around)) return points_.add_points(around.centre, at);
+    const Floats d;
+    bool any_sum = false;
+    for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
+      const Points centre(around.centre + 2 * i);
+      const Jacobian j = jacobian(around, i, centre);
+      const Decomposition shape(j);
+      constexpr bool kHasPoints = kFilter == Filter::kArea;
+      const auto here = finite(centre);
+      const FloatVec smooth =
+          kHasPoints ? ramp(shape.larger, kSumBegin, kSumEnd) : ramp(shape.larger, kRampBegin, kRampEnd);
+      const FloatVec blend = hn::IfThenElseZero(here, smooth);
+      any_sum = any_sum || !hn::AllFalse(d, hn::Gt(blend, hn::Zero(d)));
+      make_footprints<kFilter>(j, shape, blend, i, footprints_);
+      auto areas = hn::And(here, hn::Gt(shape.larger, hn::Set(d, kRampBegin)));
+      areas = hn::And(areas, hn::Lt(blend, hn::Set(d, 1.0F)));
+      if (!kHasPoints || hn::AllFalse(d, areas)) {
+        points_.add_points(centre, at + i);
+      } else {
+        points_.add_areas(centre, areas, AreaPoints(j, shape), at + i);
+      }
+    }
+    if (any_sum) add_sums(y, begin, at);
   }
 
-  std::array<MapPoint, 6 * kBlock> positions_;
-  std::array<Pixel, 6 * kBlock> colours_;
-  std::array<Group, 2 * kBlock> group_;
-  size_t size_ = 0, groups_ = 0;
+  HWY_NOINLINE void add_sums(int y, size_t begin, size_t at) {
+    for (size_t i = 0; i < kBlock; ++i) {
+      if (footprints_.blend[i] <= 0) continue;
+      sum_[sums_++] = {at + i, footprints_.blend[i], summer_.mean(positions_[y][begin + at + i], footprints_, i)};
+    }
+  }
+
+  const Image& source_;
+  const Map& positions_;
+  Border border_;
+  Band band_;
+  Summer<kFilter> summer_;
+  Footprints footprints_;
+  SegmentPoints points_;
+  std::array<Sum, kSegment> sum_;
+  size_t sums_ = 0;
 };
 
 template <Filter kFilter>
 void antialias_rows(const Image& source, const Map& positions, Border border, Image& out) {
   const auto width = static_cast<size_t>(positions.cols);
-  const Summer<kFilter> summer(source, border);
-  Band band(positions);
-  Footprints footprints;
+  Rows<kFilter> rows(source, positions, border);
   for (int y = 0; y < positions.rows; ++y) {
-    size_t run = 0;  // where the run of blocks begins whose pixels are one point each
-    const auto end_run = [&](size_t end) {
-      if (run == end) return;
-      reconstruct_row(source, {positions[y] + run, end - run}, Kernel::kBicubic, border, {out[y] + run, end - run});
-    };
-    for (size_t x = 0; x < width; x += kBlock) {
-      const Neighbours around = band.around(y, x);
-      if (all_points(around) || !find_footprints<kFilter>(around, footprints)) continue;
-      end_run(x);
-      const size_t count = std::min(kBlock, width - x);
-      run = x + count;
-      BlockPoints points;
-      for (size_t i = 0; i < count; ++i) {
-        if (footprints.blend[i] >= 1) continue;
-        if constexpr (kFilter == Filter::kArea) {
-          points.add_area(positions[y][x + i], footprints, i, out[y][x + i]);
-        } else {
-          points.add_point(positions[y][x + i], out[y][x + i]);
-        }
-      }
-      points.read(source, border);
-      for (size_t i = 0; i < count; ++i) {
-        if (footprints.blend[i] > 0) summer.blend(positions[y][x + i], footprints, i, out[y][x + i]);
-      }
-    }
-    end_run(width);
+    for (size_t x = 0; x < width; x += kSegment) rows.run(y, x, {out[y] + x, std::min(kSegment, width - x)});
   }
 }
 

@@ -240,11 +240,9 @@ class Summer {
  public:
   Summer(const Image& source, Border border) : source_(source), border_(border) {}
 
-  /// Blends the mean over footprint i with `pixel`.
-  void blend(const MapPoint& position, const Footprints& f, size_t i, Pixel& pixel) const {
-    const Pixel mean = finished(mean_over(position, f, i));
-    const float part = f.blend[i];
-    pixel = part < 1 ? pixel + part * (mean - pixel) : mean;
+  /// The mean over footprint i.
+  Pixel mean(const MapPoint& position, const Footprints& f, size_t i) const {
+    return finished(mean_over(position, f, i));
   }
 
  private:
