@@ -31,9 +31,11 @@ namespace morphkit::warp::detail {
 inline constexpr float kRampBegin = 1.1F;
 inline constexpr float kRampEnd = 1.5F;
 
-/// Singular values where an area begins to be summed, and where it is nothing but a sum.
-inline constexpr float kSumBegin = 1.7F;
-inline constexpr float kSumEnd = 2.1F;
+/// Singular values where an area begins to be summed, and where it is nothing but a sum. Over the frequencies that a
+/// picture can hold, the response of two points is off that of the square by 0.05 (rms) at 2.1 and by 0.07 at 2.5, and
+/// above the output's Nyquist frequency no stronger than the sum's; at 3 it would be off by 0.13.
+inline constexpr float kSumBegin = 2.1F;
+inline constexpr float kSumEnd = 2.5F;
 
 /// d2 / d1 from which an area is four points only.
 inline constexpr float kFourPoints = 0.5F;
