@@ -51,29 +51,25 @@ struct Points {
   FloatVec x, y;
 };
 
-/// Whether every pixel of the block is a point: both singular values of J below kRampBegin. They are so if and only if
-/// the polynomial whose roots are their squares is positive at its square q, and q lies right of its minimum. What is
-/// not a number is no point.
-HWY_INLINE bool all_points(const Neighbours& n) {
+/// Whether every pixel of the vector's worth from the block's i-th on is a point: both singular values of J below
+/// kRampBegin. They are so if and only if the polynomial whose roots are their squares is positive at its square q, and
+/// q lies right of its minimum. What is not a number is no point.
+HWY_INLINE bool all_points(const Neighbours& n, size_t i) {
   if (!n.has_above && !n.has_below) return false;
   const Floats d;
   constexpr float kSquare = kRampBegin * kRampBegin;
   const FloatVec half = hn::Set(d, 0.5F);
   const FloatVec scale_y = hn::Set(d, n.has_above && n.has_below ? 0.5F : 1.0F);
-  for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
-    const Points left(n.centre + 2 * i - 2), right(n.centre + 2 * i + 2), above(n.above + 2 * i),
-        below(n.below + 2 * i);
-    const FloatVec ja = hn::Mul(hn::Sub(right.x, left.x), half);
-    const FloatVec jc = hn::Mul(hn::Sub(right.y, left.y), half);
-    const FloatVec jb = hn::Mul(hn::Sub(below.x, above.x), scale_y);
-    const FloatVec jd = hn::Mul(hn::Sub(below.y, above.y), scale_y);
-    const FloatVec sum = hn::MulAdd(ja, ja, hn::MulAdd(jb, jb, hn::MulAdd(jc, jc, hn::Mul(jd, jd))));
-    const FloatVec det = hn::Sub(hn::Mul(ja, jd), hn::Mul(jb, jc));
-    const FloatVec value = hn::MulAdd(det, det, hn::NegMulAdd(sum, hn::Set(d, kSquare), hn::Set(d, kSquare * kSquare)));
-    const auto point = hn::And(hn::Ge(value, hn::Zero(d)), hn::Le(sum, hn::Set(d, 2 * kSquare)));
-    if (!hn::AllTrue(d, point)) return false;
-  }
-  return true;
+  const Points left(n.centre + 2 * i - 2), right(n.centre + 2 * i + 2), above(n.above + 2 * i), below(n.below + 2 * i);
+  const FloatVec ja = hn::Mul(hn::Sub(right.x, left.x), half);
+  const FloatVec jc = hn::Mul(hn::Sub(right.y, left.y), half);
+  const FloatVec jb = hn::Mul(hn::Sub(below.x, above.x), scale_y);
+  const FloatVec jd = hn::Mul(hn::Sub(below.y, above.y), scale_y);
+  const FloatVec sum = hn::MulAdd(ja, ja, hn::MulAdd(jb, jb, hn::MulAdd(jc, jc, hn::Mul(jd, jd))));
+  const FloatVec det = hn::Sub(hn::Mul(ja, jd), hn::Mul(jb, jc));
+  const FloatVec value = hn::MulAdd(det, det, hn::NegMulAdd(sum, hn::Set(d, kSquare), hn::Set(d, kSquare * kSquare)));
+  const auto point = hn::And(hn::Ge(value, hn::Zero(d)), hn::Le(sum, hn::Set(d, 2 * kSquare)));
+  return hn::AllTrue(d, point);
 }
 
 HWY_INLINE hn::Mask<Floats> finite(const Points& p) {

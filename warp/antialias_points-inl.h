@@ -10,7 +10,6 @@
 #define MORPHKIT_WARP_ANTIALIAS_POINTS_INL_H_
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -126,10 +125,7 @@ class SegmentPoints {
     blends_.clear();
   }
 
-  /// A block's pixels that are a point each.
-  HWY_INLINE void add_points(const float* middles, size_t at) {
-    std::copy(middles, middles + 2 * kBlock, first_ + 2 * at);
-  }
+  /// A vector's worth of pixels that are a point each.
   HWY_INLINE void add_points(const Points& middles, size_t at) {
     hn::StoreInterleaved2(middles.x, middles.y, Floats(), first_ + 2 * at);
   }

@@ -100,29 +100,39 @@ class Rows {
   };
 
   void add_block(const Neighbours& around, int y, size_t begin, size_t at) {
-    if (all_points(around)) return points_.add_points(around.centre, at);
     const Floats d;
     bool any_sum = false;
     for (size_t i = 0; i < kBlock; i += hn::Lanes(d)) {
-      const Points centre(around.centre + 2 * i);
-      const Jacobian j = jacobian(around, i, centre);
-      const Decomposition shape(j);
-      constexpr bool kHasPoints = kFilter == Filter::kArea;
-      const auto here = finite(centre);
-      const FloatVec smooth =
-          kHasPoints ? ramp(shape.larger, kSumBegin, kSumEnd) : ramp(shape.larger, kRampBegin, kRampEnd);
-      const FloatVec blend = hn::IfThenElseZero(here, smooth);
-      any_sum = any_sum || !hn::AllFalse(d, hn::Gt(blend, hn::Zero(d)));
-      make_footprints<kFilter>(j, shape, blend, i, footprints_);
-      auto areas = hn::And(here, hn::Gt(shape.larger, hn::Set(d, kRampBegin)));
-      areas = hn::And(areas, hn::Lt(blend, hn::Set(d, 1.0F)));
-      if (!kHasPoints || hn::AllFalse(d, areas)) {
-        points_.add_points(centre, at + i);
+      if (all_points(around, i)) {
+        points_.add_points(Points(around.centre + 2 * i), at + i);
+        hn::Store(hn::Zero(d), d, footprints_.blend + i);
       } else {
-        points_.add_areas(centre, areas, AreaPoints(j, shape), at + i);
+        any_sum = add_areas(around, i, at) || any_sum;
       }
     }
     if (any_sum) add_sums(y, begin, at);
+  }
+
+  /// Of a vector's worth of pixels. @return  whether any has a sum.
+  HWY_NOINLINE bool add_areas(const Neighbours& around, size_t i, size_t at) {
+    constexpr bool kHasPoints = kFilter == Filter::kArea;
+    const Floats d;
+    const Points centre(around.centre + 2 * i);
+    const Jacobian j = jacobian(around, i, centre);
+    const Decomposition shape(j);
+    const auto here = finite(centre);
+    const FloatVec smooth =
+        kHasPoints ? ramp(shape.larger, kSumBegin, kSumEnd) : ramp(shape.larger, kRampBegin, kRampEnd);
+    const FloatVec blend = hn::IfThenElseZero(here, smooth);
+    make_footprints<kFilter>(j, shape, blend, i, footprints_);
+    const auto grows = hn::And(here, hn::Gt(shape.larger, hn::Set(d, kRampBegin)));
+    const auto areas = hn::And(grows, hn::Lt(blend, hn::Set(d, 1.0F)));
+    if (!kHasPoints || hn::AllFalse(d, areas)) {
+      points_.add_points(centre, at + i);
+    } else {
+      points_.add_areas(centre, areas, AreaPoints(j, shape), at + i);
+    }
+    return !hn::AllFalse(d, hn::Gt(blend, hn::Zero(d)));
   }
 
   HWY_NOINLINE void add_sums(int y, size_t begin, size_t at) {
