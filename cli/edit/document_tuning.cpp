@@ -38,7 +38,7 @@ bool within_limits(double value) {
   return std::abs(value) <= project::kMaxCoordinate;
 }
 
-/// Whether the project file takes it. Exactly 1 - delay is what it understands without being told a duration.
+/// Whether the project file takes it. As there, a sum of 1 in decimals may exceed it by a rounding error in binary.
 bool acceptable(const motion::Timing& timing) {
   if (motion::problem(timing.easing)) return false;
   if (const auto* bezier = std::get_if<motion::CubicBezierEase>(&timing.easing);
@@ -51,7 +51,8 @@ bool acceptable(const motion::Timing& timing) {
     if (keyed->keys.size() > project::kMaxPoints || !std::ranges::all_of(keyed->keys, good)) return false;
   }
   const bool in_unit = timing.delay >= 0 && timing.delay <= 1 && timing.duration >= 0 && timing.duration <= 1;
-  return in_unit && (timing.delay + timing.duration <= 1 || timing.duration == 1 - timing.delay);
+  constexpr double kRounding = 1e-9;
+  return in_unit && timing.delay + timing.duration <= 1 + kRounding;
 }
 
 }  // namespace

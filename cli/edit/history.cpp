@@ -35,28 +35,20 @@ project::Project rest_of(const project::Project& project) {
   rest.influence = project.influence;
   rest.blend = project.blend;
   rest.output = project.output;
-  rest.file = project.file;
-  rest.original = project.original;
   return rest;
 }
 
 std::shared_ptr<const project::Project> shared_rest(const std::shared_ptr<const project::Project>& neighbour,
                                                     const project::Project& project) {
   project::Project rest = rest_of(project);
-  const bool same = neighbour && project::same_document(*neighbour, rest) && neighbour->file == rest.file &&
-                    neighbour->original == rest.original;
+  const bool same = neighbour && project::same_document(*neighbour, rest);
   return same ? neighbour : std::make_shared<const project::Project>(std::move(rest));
 }
 
 /// Where one was erased or put in, the others have moved: they are known by their ids.
 std::shared_ptr<const Features> shared_features(const std::shared_ptr<const Features>& neighbour,
                                                 const std::vector<project::Feature>& features) {
-  if (!neighbour) {
-    auto all = std::make_shared<Features>();
-    all->reserve(features.size());
-    for (const project::Feature& feature : features) all->push_back(std::make_shared<const project::Feature>(feature));
-    return all;
-  }
+  if (!neighbour) return shared_features(std::make_shared<const Features>(), features);
   auto result = std::make_shared<Features>();
   result->reserve(features.size());
   std::unordered_map<std::string_view, std::size_t> by_id;
@@ -65,7 +57,9 @@ std::shared_ptr<const Features> shared_features(const std::shared_ptr<const Feat
     std::size_t at = i;
     if (i >= neighbour->size() || (*neighbour)[i]->id != features[i].id) {
       all_there = false;
-      for (std::size_t k = 0; by_id.size() < neighbour->size(); ++k) by_id.emplace((*neighbour)[k]->id, k);
+      if (by_id.empty()) {
+        for (std::size_t k = 0; k < neighbour->size(); ++k) by_id.emplace((*neighbour)[k]->id, k);
+      }
       const auto found = by_id.find(features[i].id);
       at = found == by_id.end() ? neighbour->size() : found->second;
     }
@@ -100,9 +94,9 @@ State History::restore(const Stored& stored) {
 }
 
 void History::push(const State& state) {
-  const auto& near = past_.empty() ? future_ : past_;
-  past_.push_back(store(state, near.empty() ? nullptr : near.back().get()));
+  past_.push_back(store(state, nearest()));
   future_.clear();
+  restored_.reset();
 }
 
 State History::undo(const State& now) {
@@ -113,11 +107,15 @@ State History::redo(const State& now) {
   return step(now, future_, past_);
 }
 
+const History::Stored* History::nearest() const {
+  return restored_ ? restored_.get() : past_.empty() ? nullptr : past_.back().get();
+}
+
 State History::step(const State& now, Side& from, Side& to) {
-  const std::shared_ptr<const Stored> next = from.back();
-  to.push_back(store(now, next.get()));
+  to.push_back(store(now, nearest()));
+  restored_ = std::move(from.back());
   from.pop_back();
-  return restore(*next);
+  return restore(*restored_);
 }
 
 HistorySize History::size() const {

@@ -29,7 +29,8 @@ struct HistorySize {
 
 class History {
  public:
-  /// Remembers `state` as what a coming `undo` returns to; what could be redone is forgotten.
+  /// Remembers `state` as what a coming `undo` returns to; what could be redone is forgotten. The project's `file` and
+  /// `original` are not remembered: where it is saved is no state of it.
   void push(const State& state);
 
   bool can_undo() const noexcept { return !past_.empty(); }
@@ -48,9 +49,11 @@ class History {
   using Side = std::vector<std::shared_ptr<const Stored>>;
   static std::shared_ptr<const Stored> store(const State& state, const Stored* neighbour);
   static State restore(const Stored& stored);
-  static State step(const State& now, Side& from, Side& to);
+  const Stored* nearest() const;
+  State step(const State& now, Side& from, Side& to);
 
   Side past_, future_;
+  std::shared_ptr<const Stored> restored_;  ///< what the last undo or redo gave, until the next push
 };
 
 }  // namespace morphkit::edit
