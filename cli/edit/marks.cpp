@@ -74,9 +74,9 @@ bool move_point(Feature& feature, SideName side, std::size_t point, cv::Point2d 
   Points before = points;
   points[point] = kept(to);
   if (both_ends) points.front() = points.back() = kept(to);
-  if (sound(feature)) return true;
-  points = std::move(before);
-  return false;
+  const bool good = sound(feature);
+  if (!good) points = std::move(before);
+  return good;
 }
 
 bool move_all(Feature& feature, SideName side, cv::Point2d by) {
@@ -87,9 +87,9 @@ bool move_all(Feature& feature, SideName side, cv::Point2d by) {
   const cv::Point2d step{limited(by.x, left.x, right.x), limited(by.y, top.y, bottom.y)};
   Points before = points;
   for (cv::Point2d& point : points) point = kept(point + step);
-  if (sound(feature)) return true;
-  points = std::move(before);
-  return false;
+  const bool good = sound(feature);
+  if (!good) points = std::move(before);
+  return good;
 }
 
 void reverse(Feature& feature, SideName side) {
