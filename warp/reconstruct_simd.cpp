@@ -48,7 +48,8 @@ enum Fate : int32_t { kPlain, kOnCentre, kAtBorder };
 struct Batch {
   const uint8_t* tap[kBatch];  // the first
   alignas(64) int32_t x[kBatch], y[kBatch], fate[kBatch];
-  // Bilinear: the fractions, and what a vector that is read from the last of them takes in. Bicubic: four for a pixel.
+  // Bilinear: the fractions, and what a vector that is read from the last of them takes in. Bicubic: four rows of
+  // kBatch, of which that of tap 1 is not used.
   alignas(64) float across[4 * kBatch + 16], down[4 * kBatch];
   bool any_special, all_special;
 };
@@ -97,7 +98,7 @@ struct BicubicTaps {
   static constexpr int kBefore = 1;
   static constexpr float kCentre = 0.5F;
 
-  /// Of tap 1, from which the others' differences are weighed, the weight is 1.
+  /// Tap 1, from which the others' differences are weighed, has no weight.
   static HWY_INLINE void weigh(Lane f, size_t i, float* to) {
     const Lanes d;
     const Lane one = hn::Set(d, 1.0F);
@@ -105,7 +106,9 @@ struct BicubicTaps {
     const Lane w0 = hn::Mul(f, hn::Sub(hn::Mul(f, hn::Sub(one, hn::Mul(half, f))), half));
     const Lane w2 = hn::Mul(f, hn::Add(hn::Mul(f, hn::Sub(hn::Set(d, 2.0F), hn::Mul(hn::Set(d, 1.5F), f))), half));
     const Lane w3 = hn::Mul(hn::Mul(hn::Mul(half, f), f), hn::Sub(f, one));
-    hn::StoreInterleaved4(w0, one, w2, w3, d, to + 4 * i);
+    hn::Store(w0, d, to + i);
+    hn::Store(w2, d, to + 2 * kBatch + i);
+    hn::Store(w3, d, to + 3 * kBatch + i);
   }
   static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out);
 };
@@ -206,8 +209,8 @@ constexpr size_t kRowVectors = 16 / kRowLanes;
 HWY_INLINE void bicubic_columns(const uint8_t* tap, size_t step, const float* weights, Lane (&columns)[kRowVectors]) {
   const Lanes d;
   const Lane w0 = hn::Set(d, weights[0]);
-  const Lane w2 = hn::Set(d, weights[2]);
-  const Lane w3 = hn::Set(d, weights[3]);
+  const Lane w2 = hn::Set(d, weights[2 * kBatch]);
+  const Lane w3 = hn::Set(d, weights[3 * kBatch]);
   for (size_t v = 0; v < kRowVectors; ++v, tap += kRowLanes * sizeof(float)) {
     const Lane centre = hn::LoadU(d, floats(tap + step));
     const Lane d0 = hn::Sub(hn::LoadU(d, floats(tap)), centre);
@@ -221,63 +224,65 @@ HWY_INLINE void bicubic_columns(const uint8_t* tap, size_t step, const float* we
 /// taken relative to, and enters as it is.
 #if HWY_MAX_BYTES >= 64
 
-HWY_INLINE Lane bicubic_terms(const Batch& batch, size_t i, size_t step) {
+/// Weight k of four pixels, each for a block of its own.
+HWY_INLINE Lane four_weights(const float* weights) {
   const Lanes d;
   const hn::Repartition<uint8_t, Lanes> d8;
-  alignas(64) constexpr int32_t kColumn1[16] = {4, 5, 6, 7, 4, 5, 6, 7, 4, 5, 6, 7, 4, 5, 6, 7};
-  alignas(64) constexpr uint32_t kOthers[16] = {~0U, ~0U, ~0U, ~0U, 0, 0, 0, 0, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U, ~0U};
   // Block k repeats float k of a block.
   alignas(64) constexpr uint32_t kExpand[16] = {0x03020100, 0x03020100, 0x03020100, 0x03020100, 0x07060504, 0x07060504,
                                                 0x07060504, 0x07060504, 0x0B0A0908, 0x0B0A0908, 0x0B0A0908, 0x0B0A0908,
                                                 0x0F0E0D0C, 0x0F0E0D0C, 0x0F0E0D0C, 0x0F0E0D0C};
   const hn::RebindToUnsigned<Lanes> du;
-  Lane columns[1];
-  bicubic_columns(batch.tap[i], step, batch.down + 4 * i, columns);
-  const Lane column_1 = hn::TableLookupLanes(columns[0], hn::SetTableIndices(d, kColumn1));
-  const Lane origin = hn::And(column_1, hn::BitCast(d, hn::Load(du, kOthers)));
-  const auto weights = hn::BitCast(d8, hn::LoadDup128(d, batch.across + 4 * i));
-  const Lane weight = hn::BitCast(d, hn::TableLookupBytes(weights, hn::BitCast(d8, hn::Load(du, kExpand))));
-  return hn::Mul(weight, hn::Sub(columns[0], origin));
+  const auto packed = hn::BitCast(d8, hn::LoadDup128(d, weights));
+  return hn::BitCast(d, hn::TableLookupBytes(packed, hn::BitCast(d8, hn::Load(du, kExpand))));
 }
 
+/// Transposed, so that a vector holds the same column of all four.
 HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const Lane& low, const Lane& high, float* out) {
   const Lanes d;
-  const auto halves = [d](Lane a, Lane b)
-                          HWY_ATTR { return hn::Add(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a)); };
-  const Lane even = halves(bicubic_terms(batch, i, step), bicubic_terms(batch, i + 2, step));
-  const Lane odd = halves(bicubic_terms(batch, i + 1, step), bicubic_terms(batch, i + 3, step));
-  const Lane sum = hn::Add(hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd), even),
-                           hn::OddEvenBlocks(odd, hn::SwapAdjacentBlocks(even)));
+  Lane pixel[4][1];
+  for (size_t k = 0; k < 4; ++k) bicubic_columns(batch.tap[i + k], step, batch.down + i + k, pixel[k]);
+  const Lane even_01 = hn::ConcatLowerLower(d, pixel[2][0], pixel[0][0]);
+  const Lane even_23 = hn::ConcatUpperUpper(d, pixel[2][0], pixel[0][0]);
+  const Lane odd_01 = hn::ConcatLowerLower(d, pixel[3][0], pixel[1][0]);
+  const Lane odd_23 = hn::ConcatUpperUpper(d, pixel[3][0], pixel[1][0]);
+  const Lane column_0 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd_01), even_01);
+  const Lane column_1 = hn::OddEvenBlocks(odd_01, hn::SwapAdjacentBlocks(even_01));
+  const Lane column_2 = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(odd_23), even_23);
+  const Lane column_3 = hn::OddEvenBlocks(odd_23, hn::SwapAdjacentBlocks(even_23));
+  const auto term = [&](size_t k, const Lane& column) HWY_ATTR {
+    return hn::Mul(four_weights(batch.across + k * kBatch + i), hn::Sub(column, column_1));
+  };
+  const Lane sum = hn::Add(hn::Add(term(0, column_0), term(2, column_2)), hn::Add(column_1, term(3, column_3)));
   hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out);
 }
 
 #elif HWY_MAX_BYTES >= 32
 
-HWY_INLINE Lane bicubic_half(const Batch& batch, size_t i, size_t step) {
+/// Weight k of two pixels, the first or the last of the four that `weights` are for, each for a block of its own.
+HWY_INLINE Lane two_weights(const float* weights, bool last) {
   const Lanes d;
   const hn::Repartition<uint8_t, Lanes> d8;
   const hn::RebindToUnsigned<Lanes> du;
-  alignas(32) constexpr uint32_t kLower[8] = {~0U, ~0U, ~0U, ~0U, 0, 0, 0, 0};
   alignas(32) constexpr uint32_t kExpand[8] = {0x03020100, 0x03020100, 0x03020100, 0x03020100,
                                                0x07060504, 0x07060504, 0x07060504, 0x07060504};
-  Lane columns[2];
-  bicubic_columns(batch.tap[i], step, batch.down + 4 * i, columns);
-  const Lane column_1 = hn::ConcatUpperUpper(d, columns[0], columns[0]);
-  const Lane origin = hn::And(column_1, hn::BitCast(d, hn::Load(du, kLower)));
-  const auto weights = hn::BitCast(d8, hn::LoadDup128(d, batch.across + 4 * i));
-  const auto expand = hn::BitCast(d8, hn::Load(du, kExpand));
-  const auto next = hn::Add(expand, hn::Set(d8, uint8_t{8}));
-  const Lane weight_01 = hn::BitCast(d, hn::TableLookupBytes(weights, expand));
-  const Lane weight_23 = hn::BitCast(d, hn::TableLookupBytes(weights, next));
-  return hn::Add(hn::Mul(weight_01, hn::Sub(columns[0], origin)), hn::Mul(weight_23, hn::Sub(columns[1], column_1)));
+  const auto expand = hn::Add(hn::BitCast(d8, hn::Load(du, kExpand)), hn::Set(d8, last ? uint8_t{8} : uint8_t{0}));
+  return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(d8, hn::LoadDup128(d, weights)), expand));
 }
 
+/// Transposed, so that a vector holds the same column of two.
 HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const Lane& low, const Lane& high, float* out) {
   const Lanes d;
   for (size_t k = 0; k < 4; k += 2) {
-    const Lane a = bicubic_half(batch, i + k, step);
-    const Lane b = bicubic_half(batch, i + k + 1, step);
-    const Lane sum = hn::Add(hn::ConcatLowerLower(d, b, a), hn::ConcatUpperUpper(d, b, a));
+    Lane a[2], b[2];
+    bicubic_columns(batch.tap[i + k], step, batch.down + i + k, a);
+    bicubic_columns(batch.tap[i + k + 1], step, batch.down + i + k + 1, b);
+    const Lane columns[4] = {hn::ConcatLowerLower(d, b[0], a[0]), hn::ConcatUpperUpper(d, b[0], a[0]),
+                             hn::ConcatLowerLower(d, b[1], a[1]), hn::ConcatUpperUpper(d, b[1], a[1])};
+    const auto term = [&](size_t j) HWY_ATTR {
+      return hn::Mul(two_weights(batch.across + j * kBatch + i, k == 2), hn::Sub(columns[j], columns[1]));
+    };
+    const Lane sum = hn::Add(hn::Add(term(0), term(2)), hn::Add(columns[1], term(3)));
     hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out + 4 * k);
   }
 }
@@ -288,10 +293,10 @@ HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const La
   const Lanes d;
   for (size_t k = 0; k < 4; ++k) {
     Lane columns[4];
-    bicubic_columns(batch.tap[i + k], step, batch.down + 4 * (i + k), columns);
-    const float* weights = batch.across + 4 * (i + k);
-    const auto term = [&](size_t j)
-                          HWY_ATTR { return hn::Mul(hn::Set(d, weights[j]), hn::Sub(columns[j], columns[1])); };
+    bicubic_columns(batch.tap[i + k], step, batch.down + i + k, columns);
+    const auto term = [&](size_t j) HWY_ATTR {
+      return hn::Mul(hn::Set(d, batch.across[j * kBatch + i + k]), hn::Sub(columns[j], columns[1]));
+    };
     const Lane sum = hn::Add(hn::Add(term(0), term(2)), hn::Add(columns[1], term(3)));
     hn::StoreU(hn::Min(high, hn::Max(low, sum)), d, out + 4 * k);
   }
