@@ -20,7 +20,7 @@ using project::Project;
 std::vector<int> tidied(std::vector<int> indices, std::size_t count) {
   std::erase_if(indices, [&](int i) { return i < 0 || static_cast<std::size_t>(i) >= count; });
   std::ranges::sort(indices);
-  indices.erase(std::ranges::unique(indices).begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
 }
 

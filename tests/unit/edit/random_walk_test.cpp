@@ -158,6 +158,7 @@ class Walk {
   }
   std::vector<cv::Point2d> places(int count) {
     std::vector<cv::Point2d> points;
+    points.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) points.push_back(place());
     return points;
   }
