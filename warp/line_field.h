@@ -23,6 +23,10 @@ struct LineWeight {
   double a = 1;  ///< px, [0, 1e9]; 0: pixels on the line follow it exactly
   double b = 2;  ///< [0, 8]; how fast the pull falls with distance
   double p = 0;  ///< [0, 1]; how much longer lines pull more
+  /// [1e-6, 1e6]; `a`, lengths and distances are measured in units of which a pixel of the output frame has so many.
+  /// 1 but for a frame that is a reduced or magnified view of another: then px of the other, and the weights are the
+  /// other's.
+  double unit = 1;
 };
 
 /// How distances from a line scale between the two sides.

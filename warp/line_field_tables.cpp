@@ -26,7 +26,7 @@ bool coordinates_ok(const Line& line) {
 }
 
 void validate(const FieldLine& line, size_t index, int targets) {
-  const auto& [a, b, p] = line.weight;
+  const auto& [a, b, p, unit] = line.weight;
   if (line.targets.size() != static_cast<size_t>(targets)) {
     reject(index, "has " + std::to_string(line.targets.size()) + " targets, expected " + std::to_string(targets));
   }
@@ -36,6 +36,7 @@ void validate(const FieldLine& line, size_t index, int targets) {
   if (!(a >= 0 && a <= kCoordinateLimitPx)) reject(index, "a = " + std::to_string(a) + " must lie in [0, 1e9]");
   if (!(b >= 0 && b <= 8)) reject(index, "b = " + std::to_string(b) + " must lie in [0, 8]");
   if (!(p >= 0 && p <= 1)) reject(index, "p = " + std::to_string(p) + " must lie in [0, 1]");
+  if (!(unit >= 1e-6 && unit <= 1e6)) reject(index, "unit = " + std::to_string(unit) + " must lie in [1e-6, 1e6]");
   if (!(std::abs(line.value) <= std::numeric_limits<float>::max())) reject(index, "value must be finite as a float");
 }
 
@@ -105,9 +106,11 @@ void FieldTables::fill(const FieldLine& line, int place) {
   along_x[i] = point ? 1.0 : d.x / size;
   along_y[i] = point ? 0.0 : d.y / size;
   length[i] = size;
-  a[i] = line.weight.a;
-  b[i] = line.weight.b;
-  log2_factor[i] = point ? 0.0 : line.weight.p * line.weight.b * std::log2(size);
+  // ((unit length)^p / (a + unit dist))^b, with what does not depend on the pixel taken out.
+  const auto& [weight_a, weight_b, weight_p, unit] = line.weight;
+  a[i] = weight_a / unit;
+  b[i] = weight_b;
+  log2_factor[i] = weight_b * ((point ? 0.0 : weight_p * std::log2(size * unit)) - std::log2(unit));
   for (int t = 0; t < targets_; ++t) {
     fill_target(line.output, line.targets[static_cast<size_t>(t)], line.scale, 2 * t, place);
   }

@@ -107,6 +107,49 @@ TEST(LineField, TwoPairsMeanByWeight) {
   EXPECT_FLOAT_EQ(row.values[0], 3.0f);
 }
 
+/// Everything about a line `zoom` times as large; weights as before.
+FieldLine magnified(FieldLine line, double zoom) {
+  line.output = {line.output.p * zoom, line.output.q * zoom};
+  for (Line& target : line.targets) target = {target.p * zoom, target.q * zoom};
+  line.weight.unit /= zoom;
+  return line;
+}
+
+TEST(LineField, AViewInItsUnitIsTheFieldItself) {
+  // Odd zooms have pixel centres where the frame has them: that of pixel i in the middle of zoom pixels.
+  for (const int zoom : {3, 15, 16383}) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      SCOPED_TRACE(testing::Message() << "zoom " << zoom << " seed " << seed);
+      FieldCaseMaker make(seed);
+      FieldCase set = make.ordinary(320, 240, 9, 1, {}, 20);
+      for (FieldLine& line : set.lines) {
+        line.weight = {make.uniform(0, 30), make.uniform(0.5, 4), make.uniform(0, 1)};
+        line.value = make.uniform(-1, 1);
+      }
+      std::vector<FieldLine> lines;
+      for (const FieldLine& line : set.lines) lines.push_back(magnified(line, zoom));
+      const LineField field(set.lines, 1), view(lines, 1);
+      const int x = make.integer(0, 319), y = make.integer(0, 239);
+      const FieldRow whole = reference_row(field, y, x, 1);
+      const FieldRow seen = reference_row(view, y * zoom + zoom / 2, x * zoom + zoom / 2, 1);
+      const FieldRow fast = evaluated_row(view, y * zoom + zoom / 2, x * zoom + zoom / 2, 1);
+      // Positions are floats: half a unit in the last place of each, in px of the frame.
+      const cv::Point2d expected = point_of(whole.maps[0][0]);
+      const double rounding = (std::abs(expected.x) + std::abs(expected.y)) * 0x1p-23 + 1e-9;
+      EXPECT_LE(cv::norm(point_of(seen.maps[0][0]) / zoom - expected), rounding);
+      EXPECT_LE(cv::norm(point_of(fast.maps[0][0]) / zoom - expected), rounding + kFieldTolerancePx);
+      EXPECT_NEAR(seen.values[0], whole.values[0], 1e-6);
+    }
+  }
+}
+
+TEST(LineField, UnitsThatAreNoneAreRefused) {
+  for (const double unit : {0.0, -1.0, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
+    const FieldLine line = pair({{0, 0}, {4, 0}}, {{0, 0}, {8, 0}}, {1, 2, 0, unit});
+    EXPECT_THROW(LineField({&line, 1}, 1), std::invalid_argument) << unit;
+  }
+}
+
 TEST(LineField, DistanceIsToTheNearerEndBeyondTheLine) {
   // Beside the line's end the pull falls with the distance to the end: weights 1/5 (3-4-5) and 1/5 from a point.
   const std::vector<FieldLine> lines = {pair({{0.5, 0.5}, {10.5, 0.5}}, {{0.5, 2.5}, {10.5, 2.5}}, {0, 1, 0}),
