@@ -42,11 +42,12 @@ warp::Line between_centres(const LinePair& pair, double s, double turns) {
 }
 
 void append_curve(const project::Feature& feature, const Placement& source, const Placement& destination,
-                  const LinePair& prototype, std::vector<LinePair>& pairs) {
+                  const LinePair& prototype, double unit, std::vector<LinePair>& pairs) {
   const motion::Curve from(feature.curve, on_canvas(feature.source, source), feature.closed);
   const motion::Curve to(feature.curve, on_canvas(feature.destination, destination), feature.closed);
-  const int chords = std::max({motion::chords_needed(from, kChordTolerancePx, kMaxChords),
-                               motion::chords_needed(to, kChordTolerancePx, kMaxChords), feature.closed ? 3 : 1});
+  const double tolerance = kChordTolerancePx / unit;
+  const int chords = std::max({motion::chords_needed(from, tolerance, kMaxChords),
+                               motion::chords_needed(to, tolerance, kMaxChords), feature.closed ? 3 : 1});
   const std::vector<cv::Point2d> a = motion::equal_arc_points(from, chords);
   const std::vector<cv::Point2d> b = motion::equal_arc_points(to, chords);
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
@@ -59,8 +60,8 @@ void append_curve(const project::Feature& feature, const Placement& source, cons
 
 }  // namespace
 
-std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source,
-                                 const Placement& destination) {
+std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source, const Placement& destination,
+                                 double unit) {
   std::vector<LinePair> pairs;
   for (std::size_t i = 0; i < project.features.size(); ++i) {
     const project::Feature& feature = project.features[i];
@@ -68,7 +69,7 @@ std::vector<LinePair> line_pairs(const project::Project& project, const Placemen
     pair.influence = project::effective(project, feature);
     pair.feature = static_cast<int>(i);
     if (feature.kind == project::FeatureKind::kCurve) {
-      append_curve(feature, source, destination, pair, pairs);
+      append_curve(feature, source, destination, pair, unit, pairs);
       continue;
     }
     const std::vector<cv::Point2d> a = on_canvas(feature.source, source);
@@ -90,7 +91,7 @@ warp::Line between(const LinePair& pair, double s) {
   return {lerp(pair.source.p, pair.destination.p, s), lerp(pair.source.q, pair.destination.q, s)};
 }
 
-std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t) {
+std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t, double unit) {
   std::vector<warp::FieldLine> lines;
   lines.reserve(pairs.size());
   for (const LinePair& pair : pairs) {
@@ -98,7 +99,7 @@ std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, dou
     warp::FieldLine line;
     line.output = between(pair, motion::progress(*influence.shape, t));
     line.targets = {pair.source, pair.destination};
-    line.weight = {*influence.a, *influence.b, *influence.p};
+    line.weight = {*influence.a, *influence.b, *influence.p, unit};
     line.scale = *influence.scale;
     line.value = std::clamp(motion::progress(*influence.dissolve, t), 0.0, 1.0);
     lines.push_back(std::move(line));

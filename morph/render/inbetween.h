@@ -19,14 +19,15 @@ struct LinePair {
 };
 
 /// All features as pairs of canvas lines; curves become chains of equal arc length on both sides.
-std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source,
-                                 const Placement& destination);
+/// @param unit  canvas px per px that the placements lead to, so that a view has the chains of the whole canvas.
+std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source, const Placement& destination,
+                                 double unit = 1);
 
 /// The line at progress s from source (0) to destination (1). s = 0 and 1 give the ends bit for bit.
 warp::Line between(const LinePair& pair, double s);
 
 /// The lines of the moment t in [0, 1]: in-between lines, targets (source, destination), weights, and the dissolve
-/// progress of each feature as its value.
-std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t);
+/// progress of each feature as its value. @param unit  warp::LineWeight::unit, for pairs on a view of the canvas.
+std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t, double unit = 1);
 
 }  // namespace morphkit::render

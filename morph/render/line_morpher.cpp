@@ -31,7 +31,9 @@ struct LineMorpher::Moment {
 };
 
 LineMorpher::LineMorpher(const project::Project& project, const Stage& stage)
-    : project_(project), stage_(stage), pairs_(line_pairs(project, stage.source.file, stage.destination.file)) {
+    : project_(project),
+      stage_(stage),
+      pairs_(line_pairs(project, stage.source.file, stage.destination.file, stage.unit)) {
   const motion::Timing whole = *project::effective(project_).dissolve;
   local_dissolve_ = std::any_of(pairs_.begin(), pairs_.end(),
                                 [&](const LinePair& pair) { return *pair.influence.dissolve != whole; });
@@ -47,7 +49,7 @@ std::string LineMorpher::description() const {
 }
 
 warp::Image LineMorpher::frame(double t) const {
-  const std::vector<warp::FieldLine> lines = field_lines(pairs_, t);
+  const std::vector<warp::FieldLine> lines = field_lines(pairs_, t, stage_.unit);
   const double whole = std::clamp(motion::progress(*project::effective(project_).dissolve, t), 0.0, 1.0);
   const auto [least, most] =
       std::minmax_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
@@ -101,7 +103,7 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
 }
 
 warp::Map LineMorpher::map(double t, SideName side_name) const {
-  const warp::LineField field(field_lines(pairs_, t), 2);
+  const warp::LineField field(field_lines(pairs_, t, stage_.unit), 2);
   warp::Map map(stage_.size);
   warp::for_rows(
       map.rows,

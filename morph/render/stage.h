@@ -1,6 +1,7 @@
 #pragma once
 // The two pictures of a project, placed on the canvas: what every morpher starts from.
 
+#include <functional>
 #include <optional>
 
 #include "morph/media/image_file.h"
@@ -38,12 +39,34 @@ struct StageSide {
 };
 
 struct Stage {
-  cv::Size size;  ///< of the canvas, px
+  cv::Size size;    ///< of the canvas, or of the view of it that is rendered, px
+  double unit = 1;  ///< canvas px per px of the view
   StageSide source, destination;
 
   const StageSide& side(SideName name) const noexcept { return name == SideName::kSource ? source : destination; }
 };
 
 Stage make_stage(const project::Project& project, const Pictures& pictures);
+
+/// A part of the canvas, reduced or magnified: view px = (canvas px - origin) * zoom.
+struct CanvasView {
+  cv::Size size;  ///< px
+  double zoom = 1;
+  cv::Point2d origin;  ///< canvas px
+};
+
+/// A picture's own size and, for a number of px that its pixel is to be shown at, what to start from: the picture, or a
+/// smaller copy that is still at least as large as shown.
+struct ScaledPicture {
+  cv::Size size;
+  std::function<warp::Image(double scale)> at;
+};
+
+/// A stage that shows a view: what is rendered on it is what lies there on the whole canvas. Copies of more than
+/// kReducedAreaPx are taken as they are, which costs more time per frame than reducing them but once less.
+Stage make_stage(const project::Project& project, const ScaledPicture& source, const ScaledPicture& destination,
+                 const CanvasView& view);
+
+inline constexpr int kReducedAreaPx = 6'000'000;
 
 }  // namespace morphkit::render
