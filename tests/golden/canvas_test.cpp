@@ -1,0 +1,224 @@
+// The window of the preview tool in its main states, against pictures that people have looked at.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "cli/edit/canvas.h"
+#include "cli/edit/hit_test.h"
+#include "cli/edit/layout.h"
+#include "cli/edit/model.h"
+#include "cli/edit/preview.h"
+#include "morph/project/project.h"
+#include "samples/samples.h"
+#include "samples/write.h"
+#include "tests/golden/golden.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphkit::edit {
+namespace {
+
+const cv::Size kCanvas(1280, 720);
+
+/// Two pictures, a project and how they are looked at.
+struct Scene {
+  Scene(warp::Image first, warp::Image second, project::Project project, cv::Size canvas = kCanvas)
+      : source_picture(std::move(first)),
+        destination_picture(std::move(second)),
+        model(std::move(project), source_picture.size(), destination_picture.size(), canvas) {
+    model.fit_views();
+    model.file_name = "woman-man.json";
+  }
+
+  const Pyramid& pyramid(SideName side) const { return side == SideName::kSource ? source : destination; }
+
+  /// What the result pane shows, at a third of the size, as a draft is: golden pictures of renders are elsewhere.
+  PreviewPicture preview() const {
+    PreviewRequest request;
+    request.project = std::make_shared<project::Project>(model.document.project());
+    request.t = model.t;
+    request.show = model.show;
+    request.folds = model.switches.folds;
+    request.view = model.result_view;
+    request.size = panes_of(model.canvas_size).pane(Pane::kResult).size();
+    return PreviewRenderer(source, destination).render(request, 3);
+  }
+
+  /// Puts the mouse on a place of a picture.
+  void point_at(SideName side, cv::Point2d position) {
+    model.mouse = cv::Point(to_canvas(model, layout_of(model), pane_of(side), position));
+  }
+
+  cv::Mat3b drawn() const { return Canvas(source, destination).draw(model, preview()).clone(); }
+
+  warp::Image source_picture, destination_picture;
+  Model model;
+  Pyramid source{source_picture}, destination{destination_picture};
+};
+
+void expect_looks(const std::string& name, const cv::Mat3b& canvas) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / (name + ".png");
+  ASSERT_TRUE(cv::imwrite(file.string(), canvas, {cv::IMWRITE_PNG_COMPRESSION, 9}));
+  test::expect_golden(name, file);
+}
+
+/// A sample's project on its own pictures.
+Scene scene_of(const std::string& name, bool with_features, cv::Size canvas = kCanvas) {
+  static std::map<std::string, samples::Sample> known;
+  auto found = known.find(name);
+  if (found == known.end()) found = known.emplace(name, samples::paint(name)).first;
+  const test::TemporaryFolder folder;
+  project::Project project = project::load(samples::write(found->second, folder.path(), true));
+  if (!with_features) project.features.clear();
+  return {samples::image_of(found->second.pictures[0]), samples::image_of(found->second.pictures[1]),
+          std::move(project), canvas};
+}
+
+/// The first few features of the sample: what a hand has after a minute.
+Scene scene_with(std::size_t features) {
+  Scene scene = scene_of("portraits", true);
+  project::Project project = scene.model.document.project();
+  if (project.features.size() > features) project.features.resize(features);
+  scene.model.document.replace(std::move(project));
+  return scene;
+}
+
+/// Of one brightness, with a soft ramp and fine checks.
+warp::Image plain(cv::Size size, float dark, float bright) {
+  warp::Image image(size);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const float ramp = static_cast<float>(x) / static_cast<float>(size.width);
+      const float share = (ramp + ((x / 40 + y / 40) % 2 == 0 ? 0.0f : 0.25f)) / 1.25f;
+      const float value = dark + share * (bright - dark);
+      image(y, x) = {value, value, value, 1};
+    }
+  return image;
+}
+
+TEST(CanvasGolden, FreshStart) {
+  Scene scene = scene_of("portraits", false);
+  scene.model.welcome = true;
+  expect_looks("canvas-start", scene.drawn());
+}
+
+TEST(CanvasGolden, MarksOneSelectedOneUnderTheMouse) {
+  Scene scene = scene_with(14);
+  scene.model.document.select({{2}, {}});
+  const project::Feature& feature = scene.model.document.project().features[5];
+  scene.point_at(SideName::kSource, feature.source[0]);
+  scene.model.hover = Handle{SideName::kSource, 5, 0, -1};
+  expect_looks("canvas-marks", scene.drawn());
+}
+
+TEST(CanvasGolden, MeshTool) {
+  Scene scene = scene_of("portraits", false);
+  Model& model = scene.model;
+  model.tool = Tool::kMesh;
+  model.document.make_mesh(6, 7);
+  model.document.set_method(project::Method::kMesh);
+  const int moved[] = {14, 15, 20, 21};
+  model.document.move_vertices(moved, SideName::kDestination, {24, -30});
+  model.document.select({{}, {14, 15, 20, 21}});
+  model.hover = Handle{SideName::kDestination, -1, -1, 27};
+  scene.point_at(SideName::kDestination, model.document.mesh_vertices(SideName::kDestination)[27]);
+  model.show = Show::kGrid;
+  expect_looks("canvas-mesh", scene.drawn());
+}
+
+TEST(CanvasGolden, CurveSnappingWithLoupe) {
+  Scene scene = scene_with(4);
+  Model& model = scene.model;
+  model.tool = Tool::kCurve;
+  model.switches.loupe = true;
+  const cv::Point2d next(512, 556);
+  model.sketch = Sketch{Tool::kCurve, SideName::kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
+  model.snapped = next;
+  scene.point_at(SideName::kSource, next);
+  model.show = Show::kDifference;
+  expect_looks("canvas-curve", scene.drawn());
+}
+
+TEST(CanvasGolden, OnionSkinAndFolds) {
+  Scene scene = scene_with(10);
+  Model& model = scene.model;
+  model.document.select({{0, 1, 2}, {}});
+  model.document.swap_end_on(SideName::kDestination);  // turned over: folds
+  model.switches.onion = true;
+  model.t = 0.35;
+  model.playing = true;
+  model.message = "swapped the ends of 3 features on the destination";
+  expect_looks("canvas-onion", scene.drawn());
+}
+
+TEST(CanvasGolden, Help) {
+  Scene scene = scene_with(6);
+  scene.model.help = true;
+  expect_looks("canvas-help", scene.drawn());
+}
+
+TEST(CanvasGolden, HelpOnTheSmallestCanvas) {
+  Scene scene = scene_of("portraits", false, kLeastCanvas);
+  scene.model.help = true;
+  expect_looks("canvas-help-small", scene.drawn());
+}
+
+TEST(CanvasGolden, Question) {
+  Scene scene = scene_with(6);
+  scene.model.question = Question{"Save before closing?",
+                                  {"woman-man.json has changes that are not saved."},
+                                  {{'s', "Save and close"}, {'d', "Discard them"}, {'c', "Stay"}}};
+  expect_looks("canvas-question", scene.drawn());
+}
+
+TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
+  Scene scene(plain({640, 480}, 0.6f, 1.0f), plain({500, 600}, 0.0f, 0.03f), {}, kLeastCanvas);
+  Model& model = scene.model;
+  model.file_name = "ein sehr langer Name f\u00fcr ein Projekt, der nirgends hineinpasst.json";
+  for (int i = 0; i < 5; ++i) model.document.add_line(SideName::kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
+  for (int i = 0; i < 4; ++i) model.document.add_point(SideName::kSource, {90.0 + 120 * i, 290});
+  model.document.add_curve(SideName::kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
+  model.entry = Entry{Entry::What::kName, "Stra\u00dfe"};
+  model.sketch = Sketch{Tool::kSelect, SideName::kDestination, {{30, 60}, {300, 520}}, {}};
+  expect_looks("canvas-contrast", scene.drawn());
+}
+
+/// What has been drawn before must leave no trace.
+TEST(Canvas, DrawsTheSameModelTheSame) {
+  Scene scene = scene_with(8);
+  Canvas canvas(scene.source, scene.destination);
+  const PreviewPicture preview = scene.preview();
+  const cv::Mat3b first = canvas.draw(scene.model, preview).clone();
+  Model changed = scene.model;
+  changed.help = true;
+  changed.source_view.zoom *= 3;
+  changed.document.select({{1, 2}, {}});
+  changed.switches.loupe = changed.switches.onion = true;
+  const cv::Mat3b between = canvas.draw(changed, preview).clone();
+  EXPECT_GT(cv::norm(first, between, cv::NORM_INF), 0);
+  const cv::Mat3b& again = canvas.draw(scene.model, preview);
+  EXPECT_EQ(cv::norm(first, again, cv::NORM_INF), 0);
+}
+
+TEST(Canvas, DrawsAtEverySizeAndZoom) {
+  for (const cv::Size size : {kLeastCanvas, cv::Size(1600, 900), cv::Size(1100, 1000), cv::Size(3840, 2160)})
+    for (const double zoom : {kLeastZoom, 1.0, kMostZoom}) {
+      SCOPED_TRACE(std::to_string(size.width) + " " + std::to_string(zoom));
+      Scene scene(plain({64, 48}, 0, 1), plain({48, 64}, 0, 1), {}, size);
+      scene.model.document.add_line(SideName::kSource, {-90000, 3}, {90000, 20});
+      scene.model.source_view.zoom = scene.model.destination_view.zoom = zoom;
+      scene.model.switches.loupe = true;
+      scene.point_at(SideName::kSource, {32, 24});
+      EXPECT_EQ(Canvas(scene.source, scene.destination).draw(scene.model, {}).size(), size);
+    }
+}
+
+}  // namespace
+}  // namespace morphkit::edit
