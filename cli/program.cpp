@@ -16,6 +16,7 @@
 #include "cli/cmd_compare.h"
 #include "cli/cmd_completion.h"
 #include "cli/cmd_demo.h"
+#include "cli/cmd_edit.h"
 #include "cli/cmd_export.h"
 #include "cli/cmd_help.h"
 #include "cli/cmd_import.h"
@@ -50,6 +51,7 @@ std::unique_ptr<CLI::App> make_app(Session& session) {
   add_common_options(*app, session.common);
   app->require_subcommand(0, 1);
   app->footer(kFooter);
+  add_edit(*app, session);
   add_morph(*app, session);
   add_warp(*app, session);
   add_map(*app, session);

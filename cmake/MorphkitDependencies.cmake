@@ -1,5 +1,5 @@
 # Every third-party library, found once. FATAL_ERROR messages name the Debian package through scripts/deps.sh.
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc freetype highgui)
 find_package(TBB REQUIRED)
 find_package(OpenImageIO 2.4 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs with apt what building and running morphkit needs and the machine lacks.
-#   scripts/deps.sh [--ci]      --ci: also the compilers and checkers that .ci/run uses
+#   scripts/deps.sh [--ci]      --ci: also the compilers, the checkers and the desktop that .ci/run uses
 set -euo pipefail
 
 packages=(
@@ -9,10 +9,11 @@ packages=(
   libcli11-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   ffmpeg # at run time: video goes through the program
+  fonts-dejavu-core # at run time: the type of the preview tool
 )
 case "${1-}" in
   "") ;;
-  --ci) packages+=(clang clang-format clang-tidy libclang-rt-14-dev cppcheck) ;;
+  --ci) packages+=(clang clang-format clang-tidy libclang-rt-14-dev cppcheck xvfb openbox xdotool imagemagick) ;;
   *) echo "usage: scripts/deps.sh [--ci]" >&2; exit 2 ;;
 esac
 

@@ -28,10 +28,21 @@ render::ScaledPicture scaled(const Pyramid& pyramid) {
   return {pyramid.size(), [&](double scale) { return pyramid.light(scale); }};
 }
 
-render::CanvasView canvas_view(const PreviewRequest& request, int reduction) {
-  const cv::Size size((request.size.width + reduction - 1) / reduction,
-                      (request.size.height + reduction - 1) / reduction);
-  return {size, request.view.zoom / reduction, request.view.to_picture({0, 0}, request.size)};
+/// What of the pane shows a part of the canvas that is rendered.
+cv::Rect visible_area(const PreviewRequest& request, cv::Size canvas) {
+  const cv::Point2d first = request.view.to_pane({0, 0}, request.size);
+  const cv::Point2d last = request.view.to_pane(cv::Point2d(canvas.width, canvas.height), request.size);
+  // Clamped before they become whole numbers, which may not hold them.
+  const auto whole = [](double edge, int limit) {
+    return static_cast<int>(std::lround(std::clamp(edge, 0.0, static_cast<double>(limit))));
+  };
+  return {cv::Point(whole(first.x, request.size.width), whole(first.y, request.size.height)),
+          cv::Point(whole(last.x, request.size.width), whole(last.y, request.size.height))};
+}
+
+render::CanvasView canvas_view(const PreviewRequest& request, const cv::Rect& area, int reduction) {
+  const cv::Size size((area.width + reduction - 1) / reduction, (area.height + reduction - 1) / reduction);
+  return {size, request.view.zoom / reduction, request.view.to_picture(area.tl(), request.size)};
 }
 
 /// A view of half the size, with the same pictures: for what needs their placement only.
@@ -153,9 +164,9 @@ cv::Mat3b shown(const PreviewRequest& request, const render::Stage& stage) {
 
 }  // namespace
 
-const render::Stage& PreviewRenderer::stage_of(const PreviewRequest& request, int reduction) {
+const render::Stage& PreviewRenderer::stage_of(const PreviewRequest& request, const cv::Rect& area, int reduction) {
   const project::Project& project = *request.project;
-  const render::CanvasView view = canvas_view(request, reduction);
+  const render::CanvasView view = canvas_view(request, area, reduction);
   std::optional<Placed>& placed = reduction > 1 ? placed_draft_ : placed_;
   const bool same = placed && placed->view.size == view.size && placed->view.zoom == view.zoom &&
                     placed->view.origin == view.origin && placed->fit == project.output.fit &&
@@ -171,8 +182,10 @@ PreviewPicture PreviewRenderer::render(const PreviewRequest& request, int reduct
   PreviewPicture picture;
   picture.number = request.number;
   picture.draft = reduction > 1;
+  picture.area = visible_area(request, render::canvas_size(*request.project, source_.size()));
+  if (picture.area.empty()) return picture;
   try {
-    const render::Stage& stage = stage_of(request, reduction);
+    const render::Stage& stage = stage_of(request, picture.area, reduction);
     picture.image = shown(request, stage);
     if (request.folds) picture.fold_share = paint_folds(request, stage, picture.image);
   } catch (const std::exception& error) {

@@ -26,7 +26,8 @@ struct PreviewRequest {
 };
 
 struct PreviewPicture {
-  cv::Mat3b image;  ///< BGR for the screen, at most of pane size; empty: there is none
+  cv::Mat3b image;  ///< BGR for the screen, to be shown at the size of `area`; empty: there is none
+  cv::Rect area;    ///< of the pane, px: where the canvas that is rendered can be seen
   double fold_share = std::numeric_limits<double>::quiet_NaN();  ///< of the pixels shown; NaN if not looked for
   bool draft = false;                                            ///< a sharper one follows
   std::uint64_t number = 0;                                      ///< of its request
@@ -53,7 +54,7 @@ class PreviewRenderer {
     render::Stage stage;
   };
 
-  const render::Stage& stage_of(const PreviewRequest& request, int reduction);
+  const render::Stage& stage_of(const PreviewRequest& request, const cv::Rect& area, int reduction);
 
   const Pyramid& source_;
   const Pyramid& destination_;

@@ -1,0 +1,101 @@
+#include "cli/cmd_edit.h"
+
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/cmd_morph.h"
+#include "cli/command.h"
+#include "cli/edit/editor.h"
+#include "cli/edit/layout.h"
+#include "cli/edit/window.h"
+#include "cli/terminal.h"
+#include "morph/error.h"
+
+namespace morphkit::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `path`, given from the current directory, as a project in `folder` names it.
+fs::path seen_from(const fs::path& folder, const fs::path& path) {
+  return path.is_absolute() ? path : fs::proximate(fs::absolute(path), fs::absolute(folder));
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
+cv::Size window_size(const std::string& text) {
+  const cv::Size size = parse_size(text);
+  const cv::Size least = edit::kLeastCanvas;
+  if (size.width < least.width || size.height < least.height || size.width > 7680 || size.height > 4320)
+    throw Error(ErrorCode::kUsage, "--window",
+                fmt::format("{} is out of range; from {}x{} to 7680x4320", text, least.width, least.height));
+  return size;
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, Session& session) {
+  CLI::App* command = add_command(app, session,
+                                  {"edit", "Mark features on two pictures in a window, and watch the morph change",
+                                   "  morphkit edit a.jpg b.jpg                 # saves to a-b.json\n"
+                                   "  morphkit edit pair.json\n"
+                                   "  morphkit edit a.jpg b.jpg -o pair.json --window 1920x1000",
+                                   kRenderGroup});
+  auto options = std::make_shared<EditOptions>();
+  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
+      ->type_name("| A B")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("--features", options->features, "Features to begin with, for two pictures")->type_name("F");
+  command->add_option("-o,--output", options->output, "The project file for two pictures (default: A-B.json)")
+      ->type_name("FILE");
+  command->add_option("--window", options->window, "Size of the window (default: 1600x900)")->type_name("WxH");
+  command->callback(
+      [&session, options] { session.action = [options](Output& output) { return run_edit(*options, output); }; });
+}
+
+project::Project project_to_edit(const EditOptions& options) {
+  project::Project project = project_from(options.inputs, options.features);
+  if (options.inputs.size() == 1) {
+    if (!options.output.empty())
+      throw Error(ErrorCode::kUsage, "--output", "goes with two pictures; a project is saved to its own file");
+    return project;
+  }
+  fs::path file = options.output;
+  if (file.empty()) file = options.inputs[0].stem().string() + "-" + options.inputs[1].stem().string() + ".json";
+  std::error_code error;
+  if (fs::exists(file, error)) {
+    project::Project there = project::load(file);
+    if (!same_file(project::resolve(there, there.source.image), options.inputs[0]) ||
+        !same_file(project::resolve(there, there.destination.image), options.inputs[1]))
+      throw Error(ErrorCode::kUsage, file.string(), "is a project of other pictures; name another file with -o");
+    if (!options.features.empty()) project::load_features(there, options.features);
+    return there;
+  }
+  project.source.image = seen_from(file.parent_path(), project.source.image);
+  project.destination.image = seen_from(file.parent_path(), project.destination.image);
+  project.file = file;
+  return project;
+}
+
+int run_edit(const EditOptions& options, Output& output) {
+  edit::require_display();
+  const cv::Size window = window_size(options.window);
+  project::Project project = project_to_edit(options);
+  render::Pictures pictures = render::load_pictures(project);
+  warn_of_nonfinite(project.source.image, pictures.source, output);
+  warn_of_nonfinite(project.destination.image, pictures.destination, output);
+  output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
+  edit::Editor editor(std::move(project), std::move(pictures), window);
+  edit::run_window(editor);
+  return 0;
+}
+
+}  // namespace morphkit::cli

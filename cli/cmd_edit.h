@@ -1,0 +1,37 @@
+#pragma once
+// morphkit edit: mark features on two pictures in a window and watch the morph change.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "morph/project/project.h"
+
+namespace CLI {
+class App;
+}
+
+namespace morphkit::cli {
+
+class Output;
+struct Session;
+
+struct EditOptions {
+  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
+  std::filesystem::path features;             ///< for two pictures; empty: none
+  std::filesystem::path output;               ///< the project file for two pictures; empty: see project_to_edit
+  std::string window = "1600x900";            ///< size of the canvas, px
+};
+
+void add_edit(CLI::App& app, Session& session);
+
+/// @return the exit code.
+int run_edit(const EditOptions& options, Output& output);
+
+/// The project that is to be edited, with the file that it is saved to. For two pictures A and B that is `output`, or
+/// "A-B.json" of their names without extensions in the current directory; if there is such a file and it names the same
+/// pictures, it is gone on with.
+/// @throws Error kUsage if that file is of other pictures, and as project::load.
+project::Project project_to_edit(const EditOptions& options);
+
+}  // namespace morphkit::cli

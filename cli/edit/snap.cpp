@@ -1,0 +1,106 @@
+#include "cli/edit/snap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace morphkit::edit {
+namespace {
+
+/// An edge stands out if its gradient is so many code values per px, and so many times what is usual around it.
+constexpr double kLeastGradient = 14;
+constexpr double kOutstanding = 2;
+
+/// Green is most of what the eye calls brightness, and needs no sum.
+double brightness(const cv::Mat3b& picture, int x, int y) {
+  return picture(std::clamp(y, 0, picture.rows - 1), std::clamp(x, 0, picture.cols - 1))[1];
+}
+
+/// By central differences over two px, smoothed across.
+cv::Point2d gradient(const cv::Mat3b& picture, int x, int y) {
+  cv::Point2d sum;
+  for (int i = -1; i <= 1; ++i) {
+    const double weight = i == 0 ? 0.25 : 0.125;
+    sum.x += weight * (brightness(picture, x + 1, y + i) - brightness(picture, x - 1, y + i));
+    sum.y += weight * (brightness(picture, x + i, y + 1) - brightness(picture, x + i, y - 1));
+  }
+  return sum;
+}
+
+double strength(const cv::Mat3b& picture, int x, int y) {
+  const cv::Point2d g = gradient(picture, x, y);
+  return std::hypot(g.x, g.y);
+}
+
+/// How far across the edge its strongest place lies, px: the top of the parabola through three strengths.
+double top_of_parabola(double before, double here, double after) {
+  const double bend = before - 2 * here + after;
+  return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
+}
+
+cv::Point2d refined(const cv::Mat3b& picture, cv::Point at) {
+  const cv::Point2d g = gradient(picture, at.x, at.y);
+  const double here = std::hypot(g.x, g.y);
+  cv::Point2d result(at.x + 0.5, at.y + 0.5);
+  if (std::abs(g.x) >= std::abs(g.y)) {
+    result.x += top_of_parabola(strength(picture, at.x - 1, at.y), here, strength(picture, at.x + 1, at.y));
+  } else {
+    result.y += top_of_parabola(strength(picture, at.x, at.y - 1), here, strength(picture, at.x, at.y + 1));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom) {
+  const cv::Mat3b& level = picture.display(zoom);
+  const double shrink = static_cast<double>(level.cols) / picture.size().width;
+  const cv::Point2d centre = position * shrink;
+  const double reach = std::max(1.0, radius * shrink);
+  const int least_x = std::max(0, static_cast<int>(centre.x - reach));
+  const int most_x = std::min(level.cols - 1, static_cast<int>(centre.x + reach));
+  const int least_y = std::max(0, static_cast<int>(centre.y - reach));
+  const int most_y = std::min(level.rows - 1, static_cast<int>(centre.y + reach));
+
+  std::vector<double> strengths;
+  double best = 0;
+  cv::Point where;
+  for (int y = least_y; y <= most_y; ++y)
+    for (int x = least_x; x <= most_x; ++x) {
+      const double distance = std::hypot(x + 0.5 - centre.x, y + 0.5 - centre.y);
+      if (distance > reach) continue;
+      const double here = strength(level, x, y);
+      strengths.push_back(here);
+      // What is nearer was probably meant.
+      const double likely = here * (1 - 0.5 * distance / reach);
+      if (likely <= best) continue;
+      best = likely;
+      where = {x, y};
+    }
+  if (strengths.empty()) return std::nullopt;
+  const auto middle = strengths.begin() + static_cast<std::ptrdiff_t>(strengths.size() / 2);
+  std::nth_element(strengths.begin(), middle, strengths.end());
+  const double found = strength(level, where.x, where.y);
+  if (found < kLeastGradient || found < kOutstanding * *middle) return std::nullopt;
+  return refined(level, where) / shrink;
+}
+
+std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
+                                       int except) {
+  std::optional<cv::Point2d> nearest;
+  double least = radius;
+  const auto& features = document.project().features;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (static_cast<int>(i) == except) continue;
+    for (const cv::Point2d& point : side == SideName::kSource ? features[i].source : features[i].destination) {
+      const double distance = std::hypot(point.x - position.x, point.y - position.y);
+      if (distance > least) continue;
+      least = distance;
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace morphkit::edit

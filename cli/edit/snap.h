@@ -1,0 +1,21 @@
+#pragma once
+// Places that a hand probably means: ends of features, and edges of the picture.
+
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+#include "cli/edit/document.h"
+#include "cli/edit/pyramid.h"
+
+namespace morphkit::edit {
+
+/// The strongest edge of the picture within `radius` px of a position (picture px; where the edge is strongest across
+/// itself, to a fraction of a px), or nothing if no edge there stands out. @param zoom  as the picture is looked at.
+std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom);
+
+/// The nearest point of the features on that side within `radius` px, but for those of `except`.
+std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
+                                       int except);
+
+}  // namespace morphkit::edit

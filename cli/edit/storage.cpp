@@ -1,0 +1,138 @@
+#include "cli/edit/storage.h"
+
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "morph/atomic_file.h"
+#include "morph/error.h"
+
+namespace morphkit::edit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, true);
+}
+
+std::string local_time(fs::file_time_type time) {
+  const auto since_now = std::chrono::duration_cast<std::chrono::seconds>(time - fs::file_time_type::clock::now());
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() + since_now);
+  std::tm parts = {};
+  localtime_r(&seconds, &parts);
+  char text[sizeof("2026-11-23 14:05")] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+  return text;
+}
+
+}  // namespace
+
+Storage::Storage(const project::Project& project) : file_(project.file) {
+  if (project.original) known_ = *project.original;
+  stamp_ = stamp();
+}
+
+Storage::~Storage() {
+  finish();
+}
+
+fs::path Storage::autosave_file() const {
+  fs::path file = file_;
+  return file += ".autosave";
+}
+
+std::optional<Storage::Stamp> Storage::stamp() const {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(file_, error);
+  if (error) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(file_, error);
+  if (error) return std::nullopt;
+  return Stamp{time, size};
+}
+
+project::Project Storage::save(project::Project project) {
+  project.file = file_;
+  auto text = std::make_shared<const std::string>(project::to_text(project));
+  write_text(file_, *text);
+  known_ = *text;
+  stamp_ = stamp();
+  project.original = std::move(text);
+  drop_autosave();
+  return project;
+}
+
+bool Storage::changed_by_others() {
+  const std::optional<Stamp> now = stamp();
+  if (!now || now == stamp_) return false;
+  const std::optional<std::string> text = text_of(file_);
+  if (!text || (known_ && *text != *known_) || !known_) return text.has_value();
+  stamp_ = now;
+  return false;
+}
+
+project::Project Storage::reload() {
+  const std::optional<Stamp> now = stamp();
+  project::Project project = project::load(file_);
+  known_ = text_of(file_);
+  stamp_ = now;
+  return project;
+}
+
+bool Storage::autosave(const project::Project& project) {
+  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  finish();
+  writing_ = std::async(std::launch::async, [file = autosave_file(), project] {
+    try {
+      write_text(file, project::to_text(project));
+      return std::string();
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  });
+  return true;
+}
+
+std::string Storage::autosave_problem() {
+  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish();
+  return std::exchange(problem_, {});
+}
+
+void Storage::finish() {
+  if (!writing_.valid()) return;
+  std::string problem = writing_.get();
+  if (!problem.empty()) problem_ = std::move(problem);
+}
+
+void Storage::drop_autosave() {
+  finish();
+  std::error_code ignored;  // what cannot be removed is offered again, which loses nothing
+  fs::remove(autosave_file(), ignored);
+}
+
+std::optional<Leftover> Storage::leftover() const {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(autosave_file(), error);
+  const std::optional<std::string> text = error ? std::nullopt : text_of(autosave_file());
+  if (!text || text == known_) return std::nullopt;
+  try {
+    project::Project project = project::parse(*text, autosave_file());
+    project.file = file_;
+    return Leftover{std::move(project), local_time(time)};
+  } catch (const Error&) {
+    return std::nullopt;  // not written by this program: left alone
+  }
+}
+
+}  // namespace morphkit::edit
