@@ -61,9 +61,9 @@ void say_what_to_see(const samples::Sample& sample, const std::filesystem::path&
 void say_what_is_next(const std::filesystem::path& project_file, Output& output) {
   const std::string file = project_file.string();
   output.line("\nTry next:");
-  output.line(fmt::format("  morphkit check {}", file));
+  output.line(fmt::format("  morphkit edit {}", file));
   output.line(fmt::format("  morphkit morph {} -t 0.5 -o middle.png", file));
-  output.line("  and copy the project, name two pictures of your own in it, and move its features.");
+  output.line("  and with two pictures of your own: morphkit edit a.jpg b.jpg");
 }
 
 std::filesystem::path demo_one(const std::string& name, const DemoOptions& options, bool video, Output& output) {

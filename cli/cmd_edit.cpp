@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 /// `path`, given from the current directory, as a project in `folder` names it.
 fs::path seen_from(const fs::path& folder, const fs::path& path) {
-  return path.is_absolute() ? path : fs::proximate(fs::absolute(path), fs::absolute(folder));
+  return path.is_absolute() ? path
+                            : fs::proximate(fs::absolute(path), fs::absolute(folder.empty() ? fs::path(".") : folder));
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
@@ -86,9 +87,9 @@ project::Project project_to_edit(const EditOptions& options) {
 }
 
 int run_edit(const EditOptions& options, Output& output) {
-  edit::require_display();
   const cv::Size window = window_size(options.window);
   project::Project project = project_to_edit(options);
+  edit::require_display();
   render::Pictures pictures = render::load_pictures(project);
   warn_of_nonfinite(project.source.image, pictures.source, output);
   warn_of_nonfinite(project.destination.image, pictures.destination, output);

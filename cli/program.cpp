@@ -38,7 +38,8 @@ namespace {
 constexpr const char* kFooter =
     "Example:\n"
     "  morphkit demo                                  # something to watch, in a minute\n"
-    "  morphkit morph pair.json -o morph.mp4          # a video from a project\n"
+    "  morphkit edit a.jpg b.jpg                      # mark what corresponds; saves a-b.json\n"
+    "  morphkit morph a-b.json -o morph.mp4           # a video from a project\n"
     "  morphkit help morph                            # options and examples of a command\n"
     "\n"
     "Exit codes: 0 done; 1 the work failed; 2 wrong usage; 3 bad input file; 4 could not read or write;\n"

@@ -91,7 +91,7 @@ void Canvas::draw_result(const Model& model, const Layout& layout, const Preview
     return;
   }
   const cv::Rect area = preview.area & cv::Rect({0, 0}, target.size());
-  if (preview.image.empty() || area != preview.area) return;  // or of a pane that had another size
+  if (preview.image.empty() || area.empty() || area != preview.area) return;  // or of a pane that had another size
   cv::resize(preview.image, target(area), area.size(), 0, 0, cv::INTER_LINEAR);
   const bool lines = model.document.method() == project::Method::kLines;
   if (model.switches.features && lines) draw_between(target, model, pairs_of(model), layout.scale);

@@ -15,7 +15,14 @@ Pyramid::Pyramid(const warp::Image& picture) : levels_{picture} {
     cv::resize(larger, smaller, {(larger.cols + 1) / 2, (larger.rows + 1) / 2}, 0, 0, cv::INTER_AREA);
     levels_.push_back(smaller);
   }
-  for (const warp::Image& level : levels_) shown_.push_back(to_screen(level));
+  shown_.resize(levels_.size());
+  for (std::size_t i = 1; i < levels_.size(); ++i) shown_[i] = to_screen(levels_[i]);
+}
+
+const cv::Mat3b& Pyramid::display(double scale) const {
+  const std::size_t wanted = level(scale);
+  if (shown_[wanted].empty()) shown_[wanted] = to_screen(levels_[wanted]);
+  return shown_[wanted];
 }
 
 std::size_t Pyramid::level(double scale) const noexcept {

@@ -24,12 +24,13 @@ class Pyramid {
 
   /// Linear, premultiplied.
   const warp::Image& light(double scale) const noexcept { return levels_[level(scale)]; }
-  /// The same for the screen.
-  const cv::Mat3b& display(double scale) const noexcept { return shown_[level(scale)]; }
+  /// The same for the screen. From one thread at a time: the largest level, which is seldom looked at, is made when it
+  /// is first asked for.
+  const cv::Mat3b& display(double scale) const;
 
  private:
   std::vector<warp::Image> levels_;
-  std::vector<cv::Mat3b> shown_;
+  mutable std::vector<cv::Mat3b> shown_;
 };
 
 inline constexpr int kSmallestLevel = 256;

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 #include "warp/color_rows.h"
 #include "warp/parallel.h"
@@ -37,8 +38,9 @@ cv::Mat3b to_screen(const warp::Image& image) {
     for (int y = begin; y < end; ++y) {
       const auto row = over_checks({image[y], static_cast<std::size_t>(image.cols)}, y, scratch);
       warp::srgb_codes<std::uint8_t>(row, 3, screen[y]->val);
-      for (int x = 0; x < screen.cols; ++x) std::swap(screen(y, x)[0], screen(y, x)[2]);
     }
+    cv::Mat3b band = screen.rowRange(begin, end);
+    cv::cvtColor(band, band, cv::COLOR_RGB2BGR);
   });
   return screen;
 }

@@ -123,9 +123,19 @@ void restore_view(const cv::Mat3b& canvas) {
   cv::imshow(kWindow, canvas);
 }
 
-bool window_is_open() {
-  return cv::getWindowProperty(kWindow, cv::WND_PROP_VISIBLE) >= 1;
-}
+/// Tells when the window is closed from outside. A new one takes its time to appear.
+class Watch {
+ public:
+  bool closed() {
+    const bool visible = cv::getWindowProperty(kWindow, cv::WND_PROP_VISIBLE) >= 1;
+    appeared_ = appeared_ || visible;
+    return appeared_ && !visible;
+  }
+  void restart() { appeared_ = false; }
+
+ private:
+  bool appeared_ = false;
+};
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -163,6 +173,7 @@ void run_window(Editor& editor) {
   open_window(queue);
   std::signal(SIGABRT, before);
 
+  Watch watch;
   std::string title;
   editor.turn(seconds_now());
   show(editor, title);
@@ -174,10 +185,11 @@ void run_window(Editor& editor) {
       throw Error(ErrorCode::kInterrupted, "edit", "interrupted; what was not saved is in the autosave");
     }
     busy = take_events(editor, queue, key);
-    if (!window_is_open() && !editor.done()) {
-      editor.close();  // closed from outside: it comes back if there is something to ask
-      if (!editor.done()) {
+    if (watch.closed() && !editor.done()) {
+      editor.close();
+      if (!editor.done()) {  // it comes back with a question
         open_window(queue);
+        watch.restart();
         title.clear();
       }
     }

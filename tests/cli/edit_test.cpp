@@ -1,0 +1,95 @@
+// What can be said of `morphkit edit` without a display; tests/gui has one.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cli/cmd_edit.h"
+#include "morph/error.h"
+#include "morph/media/image_file.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/pictures.h"
+#include "tests/support/temporary_folder.h"
+
+namespace morphkit::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Edit : public testing::Test {
+ protected:
+  Edit() {
+    media::write_image(folder_ / "a.png", test::random_image({8, 6}, 1));
+    media::write_image(folder_ / "b.png", test::random_image({8, 6}, 2));
+  }
+
+  /// As on a machine that nobody sits at.
+  test::RunResult run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "edit");
+    test::RunOptions options;
+    options.folder = folder_.path();
+    options.environment = {"DISPLAY=", "WAYLAND_DISPLAY=", "QT_QPA_PLATFORM="};
+    return test::run_morphkit(arguments, options);
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Edit, SaysThatThereIsNoDisplay) {
+  const test::RunResult result = run({"a.png", "b.png"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(
+      result.err,
+      "morphkit: error: edit: there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)\n");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.png", "b.png"}));
+}
+
+TEST_F(Edit, RefusesWhatIsNotToBeUnderstood) {
+  EXPECT_EQ(run({}).exit_code, 2);
+  EXPECT_EQ(run({"a.png"}).exit_code, 2);
+  EXPECT_EQ(run({"a.png", "b.png", "--window", "100x100"}).exit_code, 2);
+  EXPECT_EQ(run({"a.png", "b.png", "--window", "large"}).exit_code, 2);
+  EXPECT_EQ(run({"missing.json"}).exit_code, 4);
+  test::write_text(folder_ / "bad.json", "{");
+  EXPECT_EQ(run({"bad.json"}).exit_code, 3);
+  test::write_text(folder_ / "good.json",
+                   R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"}})");
+  EXPECT_EQ(run({"good.json", "-o", "other.json"}).exit_code, 2);
+}
+
+TEST_F(Edit, NamesTheProjectAfterThePictures) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path());
+  const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = {}});
+  fs::current_path(before);
+  EXPECT_EQ(project.file, "a-b.json");
+  EXPECT_EQ(project.source.image, "a.png");
+}
+
+TEST_F(Edit, NamesPicturesAsTheProjectSeesThem) {
+  fs::create_directory(folder_ / "projects");
+  const fs::path file = folder_ / "projects" / "pair.json";
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path());
+  const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = file});
+  fs::current_path(before);
+  EXPECT_EQ(project.source.image, "../a.png");
+  EXPECT_TRUE(fs::equivalent(project::resolve(project, project.destination.image), folder_ / "b.png"));
+}
+
+TEST_F(Edit, GoesOnWithAProjectOfTheSamePicturesOnly) {
+  project::Project made = test::small_project();
+  made.source.image = "a.png";
+  made.destination.image = "b.png";
+  const fs::path file = folder_ / "pair.json";
+  project::save(made, file);
+  const fs::path a = folder_ / "a.png";
+  const fs::path b = folder_ / "b.png";
+  EXPECT_EQ(project_to_edit({.inputs = {a, b}, .features = {}, .output = file}).features.size(), made.features.size());
+  EXPECT_THROW(project_to_edit({.inputs = {b, a}, .features = {}, .output = file}), Error);
+}
+
+}  // namespace
+}  // namespace morphkit::cli
