@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace morphkit::edit {
@@ -11,6 +10,7 @@ namespace {
 /// An edge stands out if its gradient is so many code values per px, and so many times what is usual around it.
 constexpr double kLeastGradient = 14;
 constexpr double kOutstanding = 2;
+constexpr double kLeastWindow = 6;  ///< px each way that say what is usual
 
 /// Green is most of what the eye calls brightness, and needs no sum.
 double brightness(const cv::Mat3b& picture, int x, int y) {
@@ -51,39 +51,51 @@ cv::Point2d refined(const cv::Mat3b& picture, cv::Point at) {
   return result;
 }
 
+/// Pixels within `reach` of a position, as far as the picture goes.
+cv::Rect around(cv::Point2d centre, double reach, cv::Size size) {
+  const cv::Point first(static_cast<int>(std::floor(centre.x - reach)), static_cast<int>(std::floor(centre.y - reach)));
+  const cv::Point last(static_cast<int>(std::ceil(centre.x + reach)), static_cast<int>(std::ceil(centre.y + reach)));
+  return cv::Rect(first, last) & cv::Rect({0, 0}, size);
+}
+
+/// The median.
+double usual_strength(const cv::Mat3b& picture, const cv::Rect& window) {
+  std::vector<double> strengths;
+  strengths.reserve(static_cast<std::size_t>(window.area()));
+  for (int y = window.y; y < window.br().y; ++y)
+    for (int x = window.x; x < window.br().x; ++x) strengths.push_back(strength(picture, x, y));
+  const auto middle = strengths.begin() + static_cast<std::ptrdiff_t>(strengths.size() / 2);
+  std::nth_element(strengths.begin(), middle, strengths.end());
+  return *middle;
+}
+
 }  // namespace
 
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom) {
   const cv::Mat3b& level = picture.display(zoom);
   const double shrink = static_cast<double>(level.cols) / picture.size().width;
   const cv::Point2d centre = position * shrink;
-  const double reach = std::max(1.0, radius * shrink);
-  const int least_x = std::max(0, static_cast<int>(centre.x - reach));
-  const int most_x = std::min(level.cols - 1, static_cast<int>(centre.x + reach));
-  const int least_y = std::max(0, static_cast<int>(centre.y - reach));
-  const int most_y = std::min(level.rows - 1, static_cast<int>(centre.y + reach));
+  const double reach = radius * shrink;
+  // Magnified, the reach is a fraction of a pixel: what is usual around it is asked of more.
+  const cv::Rect window = around(centre, std::max(reach, kLeastWindow), level.size());
+  if (window.empty()) return std::nullopt;
+  const double least = std::max(kLeastGradient, kOutstanding * usual_strength(level, window));
 
-  std::vector<double> strengths;
+  std::optional<cv::Point2d> found;
   double best = 0;
-  cv::Point where;
-  for (int y = least_y; y <= most_y; ++y)
-    for (int x = least_x; x <= most_x; ++x) {
-      const double distance = std::hypot(x + 0.5 - centre.x, y + 0.5 - centre.y);
-      if (distance > reach) continue;
+  for (int y = window.y; y < window.br().y; ++y)
+    for (int x = window.x; x < window.br().x; ++x) {
       const double here = strength(level, x, y);
-      strengths.push_back(here);
+      if (here < least) continue;
+      const cv::Point2d at = refined(level, {x, y});
+      const double distance = std::hypot(at.x - centre.x, at.y - centre.y);
       // What is nearer was probably meant.
       const double likely = here * (1 - 0.5 * distance / reach);
-      if (likely <= best) continue;
+      if (distance > reach || likely <= best) continue;
       best = likely;
-      where = {x, y};
+      found = at / shrink;
     }
-  if (strengths.empty()) return std::nullopt;
-  const auto middle = strengths.begin() + static_cast<std::ptrdiff_t>(strengths.size() / 2);
-  std::nth_element(strengths.begin(), middle, strengths.end());
-  const double found = strength(level, where.x, where.y);
-  if (found < kLeastGradient || found < kOutstanding * *middle) return std::nullopt;
-  return refined(level, where) / shrink;
+  return found;
 }
 
 std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
