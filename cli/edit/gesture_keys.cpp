@@ -52,7 +52,7 @@ std::span<const KeyRow> KeyRow::all() {
       {{}, {"Select and change", "click", "select; drag an end, or the whole"}, nullptr},
       {{}, {"Select and change", "Shift + click", "take into the selection, or out"}, nullptr},
       {{}, {"Select and change", "Shift + drag", "select what lies in a box"}, nullptr},
-      {{'a'}, {"Select and change", "a", "select all"}, [](G& g, int) { return done([&] { g.model_.document.select_all(); }); }},
+      {{'a'}, {"Select and change", "a", "select all"}, [](G& g, int) { return done([&] { g.model_.held.reset(); g.model_.document.select_all(); }); }},
       {{kKeyTab}, {"Select and change", "Tab", "select the next mark"}, [](G& g, int) { return done([&] { g.next_feature(); }); }},
       {{'i', 'j', 'k', 'l'}, {"Select and change", "i j k l", "nudge up, left, down, right by a screen pixel"},
        [](G& g, int key) { return done([&] { g.nudge(key); }); }},
@@ -84,7 +84,7 @@ std::span<const KeyRow> KeyRow::all() {
       {{'f'}, {"See", "f", "folds in red"}, [](G& g, int) { return done([&] { g.model_.switches.folds ^= true; }); }},
       {{'m'}, {"See", "m", "marks"}, [](G& g, int) { return done([&] { g.model_.switches.features ^= true; }); }},
       {{'p'}, {"See", "p", "loupe"}, [](G& g, int) { return done([&] { g.model_.switches.loupe ^= true; }); }},
-      {{'t'}, {"See", "t", "pictures zoom and move together"}, [](G& g, int) { return done([&] { g.model_.switches.locked ^= true; }); }},
+      {{'t'}, {"See", "t", "pictures zoom and move together"}, [](G& g, int) { return done([&] { g.model_.switches.locked ^= true; g.follow_view(Pane::kSource); }); }},
       {{'b'}, {"See", "b", "snap to ends and edges"}, [](G& g, int) { return done([&] { g.model_.switches.snap ^= true; }); }},
 
       {{'s'}, {"File", "s", "save"}, [](G&, int) { return std::optional(Wish::kSave); }},
@@ -118,13 +118,10 @@ std::optional<Wish> Gestures::press_key(int key) {
     answer(key);
   } else if (model_.entry) {
     type(key);
-  } else if (key == kKeyShift) {
-    return std::nullopt;
-  } else if (model_.help) {
+  } else if (model_.help && key != kKeyShift) {
     model_.help = false;
-  } else if (drag_ != Drag::kNothing && key != kKeyEscape) {
-    return std::nullopt;  // the hand has not finished
-  } else {
+  } else if (drag_ == Drag::kNothing || key == kKeyEscape) {  // else the hand has not finished
+    if (key == kKeyShift) return std::nullopt;                // it announces another key
     model_.welcome = false;
     for (const KeyRow& row : KeyRow::all())
       if (key != 0 && std::ranges::find(row.keys, key) != row.keys.end()) return row.act(*this, key);
@@ -216,11 +213,12 @@ void Gestures::erase() {
     if (model_.sketch->points.empty()) drop();
     return;
   }
-  const std::size_t count = model_.document.selection().features.size();
-  if (count == 0) return say("nothing is selected");
+  const std::vector<int> selected = model_.document.selection().features;
+  if (selected.empty()) return say("nothing is selected");
+  const std::string first = model_.document.project().features[static_cast<std::size_t>(selected.front())].id;
   model_.held.reset();
   model_.document.erase_selected();
-  say(count == 1 ? "deleted" : fmt::format("{} deleted", count));
+  say(selected.size() == 1 ? fmt::format("{} deleted", first) : fmt::format("{} marks deleted", selected.size()));
 }
 
 void Gestures::undo(bool back) {
@@ -241,7 +239,9 @@ void Gestures::nudge(int key) {
   Document& document = model_.document;
   if (document.selection().empty()) return say("nothing is selected");
   const auto& held = model_.held;
-  if (held && held->point >= 0 && held->side == side && document.selection().features.size() == 1) {
+  // What was held may have gone: the project may have been replaced since.
+  const bool alone = held && document.selection().features == std::vector{held->feature};
+  if (alone && held->point >= 0 && held->side == side) {
     document.move_point(held->feature, side, held->point, position_of(document, *held) + by);
   } else {
     document.move_selected(side, by);
@@ -263,7 +263,8 @@ void Gestures::step_frames(int frames) {
 }
 
 void Gestures::add_to_mesh(bool column) {
-  if (!model_.document.has_mesh()) return say("there is no mesh: choose its tool and click a picture");
+  if (model_.tool != Tool::kMesh || !model_.document.has_mesh())
+    return say("there is no mesh here: choose its tool and click a picture");
   const std::optional<Pane> pane = layout_.pane_at(model_.mouse);
   std::optional<MeshPlace> place;
   if (pane && *pane != Pane::kResult)

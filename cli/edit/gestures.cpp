@@ -82,14 +82,14 @@ std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
     return std::nullopt;
   }
   model_.welcome = false;
-  if (const Widget* widget = layout_.widget_at(mouse.position)) {
-    return left ? press_widget(*widget, mouse.position) : std::nullopt;
-  }
+  const Widget* widget = layout_.widget_at(mouse.position);
   const std::optional<Pane> pane = layout_.pane_at(mouse.position);
+  // First of all: what follows may select something else than what the entry is for.
+  if (model_.entry && !model_.question && (widget || pane)) accept_entry();
+  if (widget) return left ? press_widget(*widget, mouse.position) : std::nullopt;
   if (model_.question || !pane) return std::nullopt;
-  if (model_.entry) accept_entry();
   pane_ = *pane;
-  last_ = content_at(mouse.position);
+  last_ = began_ = content_at(mouse.position);
   if (!left || pane_ == Pane::kResult) {
     if (again && left) {
       fit();
@@ -135,7 +135,7 @@ void Gestures::press_handle(const Handle& handle, const Mouse& mouse) {
   if (!std::ranges::binary_search(items, item)) select(vertex ? Selection{{}, {item}} : Selection{{item}, {}});
   model_.held = handle;
   drag_ = vertex ? Drag::kVertices : handle.point >= 0 ? Drag::kPoint : Drag::kFeatures;
-  grip_ = position_of(model_.document, handle) - last_;
+  from_ = position_of(model_.document, handle);
   begin_step();
 }
 
@@ -165,7 +165,7 @@ void Gestures::press_blank(const Mouse& mouse) {
     const int feature = document.add_point(side, at);
     if (feature < 0) return end_step();
     model_.held = Handle{side, feature, 0, -1};
-    grip_ = {};
+    from_ = at;
     drag_ = Drag::kPoint;
     return say(fmt::format("{}: put its partner right", document.project().features.back().id));
   }
@@ -194,18 +194,11 @@ void Gestures::drag_to(const Mouse& mouse) {
   }
   if (drag_ == Drag::kNothing) return;
   const cv::Point2d now = content_at(mouse.position);
-  const SideName side = side_of(pane_);
-  Document& document = model_.document;
   switch (drag_) {
     case Drag::kPoint:
-      document.move_point(model_.held->feature, side, model_.held->point,
-                          snapped(now + grip_, mouse, model_.held->feature));
-      break;
     case Drag::kFeatures:
-      document.move_selected(side, now - last_);
-      break;
     case Drag::kVertices:
-      document.move_vertices(std::vector<int>(document.selection().vertices), side, now - last_);
+      drag_held(mouse, now - began_);
       break;
     case Drag::kLine:
       model_.sketch->points.back() = snapped(now, mouse, -1);
@@ -215,6 +208,26 @@ void Gestures::drag_to(const Mouse& mouse) {
       break;
   }
   last_ = now;
+}
+
+void Gestures::drag_held(const Mouse& mouse, cv::Point2d by) {
+  const SideName side = side_of(pane_);
+  Document& document = model_.document;
+  if (drag_ == Drag::kPoint) {
+    // A hand that trembles while it selects is not to be snapped.
+    const bool far = length(mouse.position - pressed_) >= kClickPx * layout_.scale;
+    const cv::Point2d to = far ? snapped(from_ + by, mouse, model_.held->feature) : from_ + by;
+    document.move_point(model_.held->feature, side, model_.held->point, to);
+    return;
+  }
+  // From where all was at the press: what a border has held back is under the hand again when that comes back.
+  document.cancel();
+  document.begin();
+  if (drag_ == Drag::kVertices) {
+    document.move_vertices(std::vector<int>(document.selection().vertices), side, by);
+  } else {
+    document.move_selected(side, by);
+  }
 }
 
 void Gestures::release(const Mouse& mouse) {

@@ -72,6 +72,7 @@ class Gestures {
   void press_blank(const Mouse& mouse);
   void press_curve(const Mouse& mouse, bool again);
   void drag_to(const Mouse& mouse);
+  void drag_held(const Mouse& mouse, cv::Point2d by);  ///< `by`: since the press, px of the picture
   void release(const Mouse& mouse);
   void end_line(cv::Point position);
   void end_band();
@@ -118,7 +119,8 @@ class Gestures {
   Pane pane_ = Pane::kSource;  ///< where the press was
   cv::Point pressed_;          ///< canvas px
   cv::Point2d last_;           ///< content px up to which the drag has been followed
-  cv::Point2d grip_;           ///< from the mouse to the point that is held, px of the picture
+  cv::Point2d began_;          ///< content px of the press
+  cv::Point2d from_;           ///< where the point that is held was at the press, px of the picture
   Widget slider_;
   bool adding_ = false;   ///< a rubber band adds to the selection
   bool capital_ = false;  ///< Shift came before the next letter of an entry

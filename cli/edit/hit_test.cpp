@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <opencv2/imgproc.hpp>
 
+#include "cli/edit/marks.h"
 #include "morph/motion/curve.h"
 
 namespace morphkit::edit {
@@ -22,10 +22,6 @@ double distance_to_segment(cv::Point2d at, cv::Point2d p, cv::Point2d q) {
   const double squared = d.dot(d);
   const double u = squared > 0 ? std::clamp((at - p).dot(d) / squared, 0.0, 1.0) : 0.0;
   return distance(at, p + u * d);
-}
-
-const std::vector<cv::Point2d>& points_of(const project::Feature& feature, SideName side) {
-  return side == SideName::kSource ? feature.source : feature.destination;
 }
 
 /// Keeps the nearest of what it is shown.
@@ -116,7 +112,10 @@ std::optional<MeshPlace> mesh_place_at(const Document& document, SideName side, 
   const int columns = document.project().mesh->columns;
   const int rows = document.project().mesh->rows;
   const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
-  const auto vertex = [&](int column, int row) { return vertices[static_cast<std::size_t>(row * columns + column)]; };
+  const auto vertex = [&](int column, int row) {
+    const int index = row * columns + column;
+    return vertices[static_cast<std::size_t>(index)];
+  };
   for (int row = 0; row + 1 < rows; ++row)
     for (int column = 0; column + 1 < columns; ++column) {
       const cv::Point2d corners[] = {vertex(column, row), vertex(column + 1, row), vertex(column + 1, row + 1),
