@@ -90,11 +90,11 @@ int run_edit(const EditOptions& options, Output& output) {
   const cv::Size window = window_size(options.window);
   project::Project project = project_to_edit(options);
   edit::require_display();
-  render::Pictures pictures = render::load_pictures(project);
+  const render::Pictures pictures = render::load_pictures(project);
   warn_of_nonfinite(project.source.image, pictures.source, output);
   warn_of_nonfinite(project.destination.image, pictures.destination, output);
   output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
-  edit::Editor editor(std::move(project), std::move(pictures), window);
+  edit::Editor editor(std::move(project), pictures, window);
   edit::run_window(editor);
   return 0;
 }

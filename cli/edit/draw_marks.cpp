@@ -114,7 +114,8 @@ void draw_mesh(const Pen& pen, const Model& model, SideName side) {
   const project::Mesh& mesh = *model.document.project().mesh;
   const std::vector<cv::Point2d> vertices = pen.at(model.document.mesh_vertices(side));
   const auto vertex = [&](int column, int row) {
-    return vertices[static_cast<std::size_t>(row * mesh.columns + column)];
+    return vertices[static_cast<std::size_t>(row) * static_cast<std::size_t>(mesh.columns) +
+                    static_cast<std::size_t>(column)];
   };
   const bool active = model.tool == Tool::kMesh;
   for (int pass = 0; pass < 2; ++pass) {
@@ -122,11 +123,13 @@ void draw_mesh(const Pen& pen, const Model& model, SideName side) {
     const int thickness = pen.px(pass == 0 ? 2.6 : 1);
     for (int row = 0; row < mesh.rows; ++row) {
       std::vector<cv::Point2d> line;
+      line.reserve(static_cast<std::size_t>(mesh.columns));
       for (int column = 0; column < mesh.columns; ++column) line.push_back(vertex(column, row));
       stroke(pen.pane, line, color, thickness);
     }
     for (int column = 0; column < mesh.columns; ++column) {
       std::vector<cv::Point2d> line;
+      line.reserve(static_cast<std::size_t>(mesh.rows));
       for (int row = 0; row < mesh.rows; ++row) line.push_back(vertex(column, row));
       stroke(pen.pane, line, color, thickness);
     }

@@ -28,7 +28,7 @@ bool same_pictures(const project::Project& a, const project::Project& b) {
 
 }  // namespace
 
-Editor::Editor(project::Project project, render::Pictures pictures, cv::Size canvas)
+Editor::Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas)
     : source_(pictures.source.image),
       destination_(pictures.destination.image),
       model_(std::move(project), source_.size(), destination_.size(), canvas),

@@ -25,9 +25,9 @@ inline constexpr double kLookAtFileEvery = 1;
 
 class Editor {
  public:
-  /// @param project  with its `file`, which need not exist. @param pictures  its pictures; taken over.
+  /// @param project  with its `file`, which need not exist. @param pictures  its pictures; their pixels are shared.
   /// @param canvas   size of the window, px, at least kLeastCanvas.
-  Editor(project::Project project, render::Pictures pictures, cv::Size canvas);
+  Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas);
 
   void mouse(const Mouse& event);
   void key(int key);

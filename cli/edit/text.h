@@ -27,8 +27,8 @@ class Type {
   void draw(cv::Mat3b& picture, std::string_view text, cv::Point left_baseline, int height,
             const cv::Vec3b& color) const;
 
-  /// As much of the text as fits into `width` px, with an ellipsis if that is not all.
-  std::string fitted(std::string_view text, int height, int width) const;
+  /// As much of the text as fits into `room` px, with an ellipsis if that is not all.
+  std::string fitted(std::string_view text, int height, int room) const;
 
  private:
   /// Coverage of a line, with its baseline.
