@@ -9,7 +9,9 @@ target_compile_options(morphkit_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
 if(MORPHKIT_SANITIZE)
   target_compile_options(morphkit_options INTERFACE
-    -fsanitize=${MORPHKIT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+    -fsanitize=${MORPHKIT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined
+    # Where variables live at each instruction takes g++ as long as all the rest of a kernel; stack traces need none of it.
+    $<$<CXX_COMPILER_ID:GNU>:-fno-var-tracking>)
   target_link_options(morphkit_options INTERFACE -fsanitize=${MORPHKIT_SANITIZE})
 endif()
 

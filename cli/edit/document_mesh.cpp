@@ -150,6 +150,7 @@ void Document::move_vertices(std::span<const int> vertices, SideName side, cv::P
     cv::Point2d& at = after[static_cast<std::size_t>(vertex)];
     if (column > 0 && column + 1 < columns) at.x = std::clamp(at.x + by.x, 0.0, static_cast<double>(size.width));
     if (row > 0 && row + 1 < rows) at.y = std::clamp(at.y + by.y, 0.0, static_cast<double>(size.height));
+    at = settled(at);
   }
   if (after == before) return;
   change([&](Project& project) { vertices_of(*project.mesh, side) = std::move(after); });

@@ -24,6 +24,12 @@ bool toggles(const Mouse& mouse) {
   return mouse.shift || mouse.ctrl;
 }
 
+/// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.
+cv::Point2d rounded(cv::Point2d position, double zoom) {
+  const double steps = std::pow(10.0, std::ceil(std::log10(10 * zoom)));  // per px: tenths of a screen px or finer
+  return {std::round(position.x * steps) / steps, std::round(position.y * steps) / steps};
+}
+
 /// The selection with `item` taken in, or taken out if it was in.
 std::vector<int> toggled(std::vector<int> selected, int item) {
   const auto found = std::ranges::lower_bound(selected, item);
@@ -216,10 +222,13 @@ void Gestures::drag_held(const Mouse& mouse, cv::Point2d by) {
   if (drag_ == Drag::kPoint) {
     // A hand that trembles while it selects is not to be snapped.
     const bool far = length(mouse.position - pressed_) >= kClickPx * layout_.scale;
-    const cv::Point2d to = far ? snapped(from_ + by, mouse, model_.held->feature) : from_ + by;
+    const cv::Point2d to = far                   ? snapped(from_ + by, mouse, model_.held->feature)
+                           : by == cv::Point2d() ? from_
+                                                 : rounded(from_ + by, model_.view(pane_).zoom);
     document.move_point(model_.held->feature, side, model_.held->point, to);
     return;
   }
+  by = rounded(by, model_.view(pane_).zoom);
   // From where all was at the press: what a border has held back is under the hand again when that comes back.
   document.cancel();
   document.begin();
@@ -349,13 +358,14 @@ cv::Point2d Gestures::content_at(cv::Point position) const {
 
 cv::Point2d Gestures::snapped(cv::Point2d position, const Mouse& mouse, int except) {
   model_.snapped.reset();
-  if (!model_.switches.snap || mouse.alt) return position;
   const SideName side = side_of(pane_);
   const double zoom = model_.view(pane_).zoom;
+  if (!model_.switches.snap || mouse.alt) return rounded(position, zoom);
   const double px = layout_.scale / zoom;
   model_.snapped = nearest_end(model_.document, side, position, kEndReach * px, except);
-  if (!model_.snapped) model_.snapped = edges_(side, position, kEdgeReach * px, zoom);
-  return model_.snapped.value_or(position);
+  if (model_.snapped) return *model_.snapped;  // to the bit: ends that meet stay together
+  model_.snapped = edges_(side, position, kEdgeReach * px, zoom);
+  return rounded(model_.snapped.value_or(position), zoom);
 }
 
 SideName Gestures::side_under_mouse() const {

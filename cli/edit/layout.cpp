@@ -211,14 +211,16 @@ const Widget* Layout::widget_at(cv::Point position) const {
 }
 
 double tuning_from_slider(int tuning, double slider) {
+  // No finer than the value beside the slider is shown.
   const double knob = std::clamp(slider, 0.0, 1.0);
+  const auto hundredths = [](double value) { return std::round(100 * value) / 100; };
   switch (static_cast<Tuning>(tuning)) {
     case Tuning::kA:
-      return kMostA * knob * knob;
+      return hundredths(kMostA * knob * knob);
     case Tuning::kB:
-      return kMostB * knob;
+      return hundredths(kMostB * knob);
     case Tuning::kP:
-      return knob;
+      return hundredths(knob);
   }
   return knob;
 }

@@ -51,6 +51,11 @@ bool finite(cv::Point2d point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
+cv::Point2d settled(cv::Point2d point) {
+  constexpr double kSteps = 1e6;
+  return {std::round(point.x * kSteps) / kSteps, std::round(point.y * kSteps) / kSteps};
+}
+
 cv::Point2d kept(cv::Point2d point) {
   return {std::clamp(point.x, -kMaxCoordinate, kMaxCoordinate), std::clamp(point.y, -kMaxCoordinate, kMaxCoordinate)};
 }
@@ -86,7 +91,7 @@ bool move_all(Feature& feature, SideName side, cv::Point2d by) {
   const auto [top, bottom] = std::ranges::minmax(points, {}, &cv::Point2d::y);
   const cv::Point2d step{limited(by.x, left.x, right.x), limited(by.y, top.y, bottom.y)};
   Points before = points;
-  for (cv::Point2d& point : points) point = kept(point + step);
+  for (cv::Point2d& point : points) point = kept(settled(point + step));
   const bool good = sound(feature);
   if (!good) points = std::move(before);
   return good;

@@ -18,6 +18,9 @@ const Points& points_of(const project::Feature& feature, render::SideName side);
 
 bool finite(cv::Point2d point);
 
+/// Without the last digits that sums leave behind, as 0.30000000000000004: to a millionth of a px.
+cv::Point2d settled(cv::Point2d point);
+
 /// Within +-kMaxCoordinate. @pre finite.
 cv::Point2d kept(cv::Point2d point);
 

@@ -3,6 +3,7 @@
 #include "cli/edit/editor.h"
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -101,6 +102,14 @@ TEST_F(EditorSession, MarksSavesAndGoesOn) {
   press('q');
   EXPECT_TRUE(editor_->done());
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"pair.json"});
+}
+
+TEST_F(EditorSession, WhatAHandPlacesIsShortInTheFile) {
+  open();
+  drag({20.123, 30.456}, {120.789, 40.987});
+  drag({70, 35}, {75.4, 41.7});  // the whole line
+  for (const cv::Point2d& point : project().features.front().source)
+    for (const double value : {point.x, point.y}) EXPECT_EQ(value, std::round(value * 1000) / 1000);
 }
 
 TEST_F(EditorSession, AutosavesAfterSecondsOfChangeAndRestoresAfterADeath) {

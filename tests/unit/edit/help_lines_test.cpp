@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/edit/hand.h"
 
 namespace morphkit::edit {
@@ -84,6 +85,15 @@ TEST(HelpLines, NameEveryKeyThatDoesSomethingAndNoOther) {
   for (int code = 0; code < 256; ++code) candidates.insert(code);
   for (int code = 65280; code < 65536; ++code) candidates.insert(code);
   for (const int code : candidates) EXPECT_EQ(does_something(code), named.contains(code)) << "key " << code;
+}
+
+TEST(HelpLines, AreAllInTheDocs) {
+  const std::string page = test::read_text(MORPHKIT_EDIT_PAGE);
+  ASSERT_FALSE(page.empty());
+  for (const HelpLine& line : help_lines()) {
+    const std::string row = std::string("| `").append(line.keys).append("` | ").append(line.text).append(" |");
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
 }
 
 TEST(HelpLines, FitTheOverlay) {
