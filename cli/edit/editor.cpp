@@ -48,7 +48,7 @@ Editor::Editor(project::Project project, const render::Pictures& pictures, cv::S
     ask(Asked::kRestore, {"Unsaved work was found",
                           {fmt::format("{} was being changed until {}", model_.file_name, leftover_->when),
                            "and not saved when the program ended."},
-                          {{'r', "Restore it"}, {'d', "Discard it"}}});
+                          {{'r', "Restore it (r)"}, {'d', "Discard it (d)"}}});
 }
 
 std::string Editor::title() const {
@@ -138,7 +138,7 @@ bool Editor::save(bool over_changes_of_others) {
     ask(Asked::kOverwrite, {fmt::format("{} has been changed by another program", model_.file_name),
                             {"Saving would overwrite what it wrote. Theirs can be taken instead;",
                              "your own state then stays one step of undo away."},
-                            {{'o', "Overwrite it"}, {'t', "Take theirs"}, {'c', "Cancel"}}});
+                            {{'o', "Overwrite it (o)"}, {'t', "Take theirs (t)"}, {'c', "Cancel (c)"}}});
     return false;
   }
   try {
@@ -223,7 +223,7 @@ void Editor::close() {
   }
   ask(Asked::kClose, {fmt::format("Save {} before closing?", model_.file_name),
                       {"Changes since the last save would be lost."},
-                      {{'s', "Save and close"}, {'d', "Close without saving"}, {'c', "Cancel"}}});
+                      {{'s', "Save and close (s)"}, {'d', "Close without saving (d)"}, {'c', "Cancel (c)"}}});
 }
 
 void Editor::request_preview() {

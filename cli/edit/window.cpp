@@ -17,8 +17,9 @@ namespace morphkit::edit {
 namespace {
 
 constexpr const char* kWindow = "morphkit edit";
-constexpr int kBusyWaitMs = 1;   ///< something is going on: events are fetched as soon as they are there
-constexpr int kIdleWaitMs = 15;  ///< nothing is: leave the machine alone
+constexpr int kBusyWaitMs = 1;     ///< something is going on: events are fetched as soon as they are there
+constexpr int kPlayingWaitMs = 8;  ///< no screen shows more pictures than that
+constexpr int kIdleWaitMs = 15;    ///< nothing is: leave the machine alone
 
 constexpr const char* kNoDisplay = "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)";
 
@@ -153,7 +154,7 @@ bool take_events(Editor& editor, EventQueue& queue, int key) {
   const std::vector<Mouse> events = queue.take();
   for (const Mouse& event : events) editor.mouse(event);
   if (key != -1) editor.key(key);
-  return !events.empty() || key != -1 || editor.model().playing;
+  return !events.empty() || key != -1;
 }
 
 }  // namespace
@@ -179,7 +180,8 @@ void run_window(Editor& editor) {
   show(editor, title);
   bool busy = true;
   while (!editor.done()) {
-    const int key = cv::waitKeyEx(busy ? kBusyWaitMs : kIdleWaitMs);
+    const bool playing = editor.model().playing;
+    const int key = cv::waitKeyEx(playing ? kPlayingWaitMs : busy ? kBusyWaitMs : kIdleWaitMs);
     if (cli::interrupted()) {
       editor.rescue();
       throw Error(ErrorCode::kInterrupted, "edit", "interrupted; what was not saved is in the autosave");
