@@ -52,6 +52,7 @@ Editor::Editor(project::Project project, const render::Pictures& pictures, cv::S
 }
 
 std::string Editor::title() const {
+  if (model_.question) return fmt::format("{} - morphkit", model_.question->title);
   return fmt::format("{}{} - morphkit", model_.document.changed() ? "*" : "", model_.file_name);
 }
 

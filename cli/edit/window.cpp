@@ -115,13 +115,15 @@ void open_window(EventQueue& queue) {
 
 /// Brings the Qt window back to showing the canvas as it is. It forgets its own zoom only with a picture of another
 /// size.
-void restore_view(const cv::Mat3b& canvas) {
+/// @return the key that was pressed meanwhile, or -1.
+int restore_view(const cv::Mat3b& canvas) {
   cv::loadWindowParameters(kWindow);
   cv::Mat3b taller;
   cv::copyMakeBorder(canvas, taller, 0, 1, 0, 0, cv::BORDER_REPLICATE);
   cv::imshow(kWindow, taller);
-  cv::waitKey(1);
+  const int key = cv::waitKeyEx(1);
   cv::imshow(kWindow, canvas);
+  return key;
 }
 
 /// Tells when the window is closed from outside. A new one takes its time to appear.
@@ -149,6 +151,7 @@ void show(Editor& editor, std::string& title) {
   cv::setWindowTitle(kWindow, title);
 }
 
+/// highgui gives the last key that came while it looked at events, and forgets others.
 /// @return whether something is going on.
 bool take_events(Editor& editor, EventQueue& queue, int key) {
   const std::vector<Mouse> events = queue.take();
@@ -197,7 +200,7 @@ void run_window(Editor& editor) {
     }
     editor.turn(seconds_now());
     if (editor.done()) break;
-    if (queue.take_wheel_turned()) restore_view(editor.draw());
+    if (queue.take_wheel_turned()) take_events(editor, queue, restore_view(editor.draw()));
     if (editor.stale()) {
       show(editor, title);
       busy = true;

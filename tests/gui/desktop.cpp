@@ -19,6 +19,11 @@ std::string number(int value) {
   return std::to_string(value);
 }
 
+/// Whether the screen has an answer to this question of xdotool.
+bool answers(const std::string& question) {
+  return run_program(XDOTOOL, {question}).exit_code == 0;
+}
+
 }  // namespace
 
 bool holds_at_last(const std::function<bool()>& condition) {
@@ -31,14 +36,15 @@ bool holds_at_last(const std::function<bool()>& condition) {
 
 Desktop::Desktop() {
   constexpr int kFirst = 100;
-  const std::string screen = number(kFirst + getpid() % 30000);
-  const std::string display = std::string(":").append(screen);
-  const std::filesystem::path socket = std::string("/tmp/.X11-unix/X").append(screen);
+  const std::string display = std::string(":").append(number(kFirst + getpid() % 30000));
   server_ = std::make_unique<media::Process>(
-      std::vector<std::string>{XVFB, display, "-screen", "0", "1920x1200x24", "-nolisten", "tcp"});
-  if (!holds_at_last([&] { return std::filesystem::exists(socket); })) throw std::runtime_error("Xvfb does not start");
+      std::vector<std::string>{XVFB, display, "-screen", "0", "1920x1200x24", "-nolisten", "tcp", "-noreset"});
   setenv("DISPLAY", display.c_str(), 1);
+  // Its socket is there before it listens.
+  if (!holds_at_last([] { return answers("getdisplaygeometry"); })) throw std::runtime_error("Xvfb does not start");
   manager_ = std::make_unique<media::Process>(std::vector<std::string>{OPENBOX});
+  // It counts desktops only once it manages windows.
+  if (!holds_at_last([] { return answers("get_num_desktops"); })) throw std::runtime_error("openbox does not start");
 }
 
 Desktop::~Desktop() {

@@ -122,6 +122,7 @@ TEST_F(EditorSession, AutosavesAfterSecondsOfChangeAndRestoresAfterADeath) {
 
   open();
   EXPECT_EQ(question(), "Unsaved work was found");
+  EXPECT_EQ(editor_->title(), "Unsaved work was found - morphkit");
   wait(10);
   EXPECT_TRUE(fs::exists(autosave())) << "as long as nobody has answered";
   press('r');
