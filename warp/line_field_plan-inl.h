@@ -38,20 +38,20 @@ constexpr Tolerance tolerance_of(FieldAccuracy accuracy) {
 constexpr double kPlainLinePart = 1.0 / 16;
 constexpr float kLeastRoot = 0x1p-20f;
 
-enum class Treatment : std::uint8_t { kPlain, kCareful, kFar };
-
 /// How the lines of a tile are treated. Kept from tile to tile.
 struct Plan {
   PerLine rounding, interpolation;  // px, what plain or far treatment of a line could do to a coordinate of a mean
-  std::vector<Treatment> treatment;
-  PerLine gate;  // for far lines the root or scale, for others what makes their weight 0
-  bool any_far = false, any_careful = false, all_careful = false;
+  PerLine gate;                     // for far lines the root or scale, for others what makes their weight 0
+  // Numbers of the lines that are treated so. Those of the n-th group start where its lines do.
+  std::vector<int> plain, careful;
+  std::array<size_t, kWeightKinds> plain_count{}, careful_count{};
+  bool any_far = false, any_near = false, any_careful = false, all_careful = false;
   double bound = 0;    // px, of all lines but the careful
   double allowed = 0;  // px, of all lines
 
   void resize(size_t lines) {
     for (PerLine* array : {&rounding, &interpolation, &gate}) array->resize(lines);
-    treatment.resize(lines);
+    for (auto* numbers : {&plain, &careful}) numbers->resize(lines);
   }
 };
 
@@ -115,65 +115,95 @@ void bound_errors(const FieldTables& tables, const View<kChannels>& view, const 
   }
 }
 
-/// The exponent e of a positive normal float below 2^e and at least 2^(e - 1).
-int exponent_of(float value) {
-  return static_cast<int>(std::bit_cast<std::uint32_t>(value) >> 23) - 126;
+/// The sum of the interpolation errors that are below a limit.
+inline float sum_below(const FieldTables& tables, const PerLine& errors, float limit) {
+  const hn::CappedTag<float, kLineChunk> d;
+  auto sum = hn::Zero(d);
+  for (const LineGroup& group : tables.groups()) {
+    for (size_t i = group.first(); i < group.end(); i += hn::Lanes(d)) {
+      const auto error = hn::LoadU(d, &errors[i]);
+      const auto counts = hn::And(hn::Lt(error, hn::Set(d, limit)), hn::FirstN(d, group.end() - i));
+      sum = hn::Add(sum, hn::IfThenElseZero(counts, error));
+    }
+  }
+  return hn::GetLane(hn::SumOfLanes(d, sum));
 }
 
 /// The interpolation error up to which lines are far: their sum stays within the tolerance. A power of 2, or 0.
-float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px) {
+inline float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px) {
   constexpr int kLeast = -40, kMost = 0;
-  std::array<float, kMost - kLeast + 1> sums{};
-  for (const LineGroup& group : tables.groups()) {
-    for (size_t i = group.first(); i < group.end(); ++i) {
-      const float error = plan.interpolation[i];
-      if (error < 1) sums[static_cast<size_t>(std::max(exponent_of(error), kLeast) - kLeast)] += error;
-    }
+  const auto power_of_two = [](int exponent) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
+  };
+  int known = kLeast - 1, possible = kMost;  // exponents: that will do; that might
+  while (known < possible) {
+    const int middle = possible - (possible - known) / 2;
+    const bool will_do =
+        sum_below(tables, plan.interpolation, power_of_two(middle)) <= static_cast<float>(tolerance_px);
+    (will_do ? known : possible) = will_do ? middle : middle - 1;
   }
-  float sum = 0;
-  float limit = 0;
-  for (int exponent = kLeast; exponent <= kMost; ++exponent) {
-    sum += sums[static_cast<size_t>(exponent - kLeast)];
-    if (!(sum <= static_cast<float>(tolerance_px))) break;
-    limit = std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);  // 2^exponent
-  }
-  return limit;
+  return known < kLeast ? 0 : power_of_two(known);
 }
 
 /// Everything with care, where what is asked for is more than plain floats can promise.
-void treat_all_carefully(Plan& plan) {
-  std::fill(plan.treatment.begin(), plan.treatment.end(), Treatment::kCareful);
+inline void treat_all_carefully(const FieldTables& tables, Plan& plan) {
+  for (size_t g = 0; g < tables.groups().size(); ++g) {
+    const LineGroup& group = tables.groups()[g];
+    plan.plain_count[g] = 0;
+    plan.careful_count[g] = static_cast<size_t>(group.count);
+    for (int i = 0; i < group.count; ++i) plan.careful[group.first() + static_cast<size_t>(i)] = group.begin + i;
+  }
   plan.any_far = false;
-  plan.any_careful = plan.all_careful = true;
+  plan.any_near = plan.any_careful = plan.all_careful = true;
   plan.bound = 0;
+}
+
+/// Chooses the treatment of every line of a group. @return  a bound of what plain and far ones do together, px.
+inline double plan_group(const FieldTables& tables, size_t number, float limit, double tolerance, Plan& plan) {
+  const hn::CappedTag<float, kLineChunk> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const LineGroup& group = tables.groups()[number];
+  const bool any_power = group.kind == WeightKind::kAny;
+  const PerLine& open = any_power ? tables.scale_single : tables.root_single;
+  const auto closed = hn::Set(d, any_power ? static_cast<float>(kLeastLog2) : 0.0f);
+  const auto plain_most = hn::Set(d, static_cast<float>(kPlainLinePart * tolerance));
+  int* plain_end = &plan.plain[group.first()];
+  int* careful_end = &plan.careful[group.first()];
+  auto bound = hn::Zero(d);
+  for (size_t i = group.first(); i < group.end(); i += hn::Lanes(d)) {
+    const auto is_line = hn::FirstN(d, group.end() - i);
+    const auto rounding = hn::LoadU(d, &plan.rounding[i]);
+    const auto far = hn::And(is_line, hn::Lt(hn::LoadU(d, &plan.interpolation[i]), hn::Set(d, limit)));
+    const auto holds = hn::And(hn::Le(rounding, plain_most),
+                               hn::Ge(hn::LoadU(d, &tables.root_single[i]), hn::Set(d, kLeastRoot)));
+    const auto near = hn::AndNot(far, is_line);
+    const auto numbers = hn::Iota(di, static_cast<std::int32_t>(i));
+    hn::StoreU(hn::IfThenElse(far, hn::LoadU(d, &open[i]), closed), d, &plan.gate[i]);
+    plain_end += hn::CompressStore(numbers, hn::RebindMask(di, hn::And(near, holds)), di, plain_end);
+    careful_end += hn::CompressStore(numbers, hn::RebindMask(di, hn::AndNot(holds, near)), di, careful_end);
+    bound = hn::Add(bound, hn::IfThenElseZero(hn::Or(far, hn::And(near, holds)), rounding));
+    plan.any_far |= !hn::AllFalse(d, far);
+  }
+  plan.plain_count[number] = static_cast<size_t>(plain_end - &plan.plain[group.first()]);
+  plan.careful_count[number] = static_cast<size_t>(careful_end - &plan.careful[group.first()]);
+  plan.any_near |= plan.plain_count[number] + plan.careful_count[number] > 0;
+  plan.any_careful |= plan.careful_count[number] > 0;
+  // The sum is of floats itself.
+  return (1 + kLineChunk * kUnitRoundoff * group.count) * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, bound)));
 }
 
 template <int kChannels>
 void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
                FieldAccuracy accuracy, const Expectation& expectation, Plan& plan) {
   plan.allowed = tolerance_of(accuracy).rounding;
-  if (!(expectation.total_least > 0)) return treat_all_carefully(plan);
+  if (!(expectation.total_least > 0)) return treat_all_carefully(tables, plan);
   bound_errors(tables, view, expectation, plan);
   const Tolerance tolerance = tolerance_of(accuracy);
   const float limit = accuracy == FieldAccuracy::kAdaptive ? far_limit(tables, plan, tolerance.interpolation) : 0;
-  plan.any_far = plan.any_careful = plan.all_careful = false;
+  plan.any_far = plan.any_near = plan.any_careful = plan.all_careful = false;
   plan.bound = 0;
-  for (const LineGroup& group : tables.groups()) {
-    const bool any_power = group.kind == WeightKind::kAny;
-    const PerLine& open = any_power ? tables.scale_single : tables.root_single;
-    for (size_t i = group.first(); i < group.end(); ++i) {
-      const bool far = plan.interpolation[i] < limit;
-      const bool plain = static_cast<double>(plan.rounding[i]) <= kPlainLinePart * tolerance.rounding &&
-                         tables.root_single[i] >= kLeastRoot;
-      plan.treatment[i] = far ? Treatment::kFar : plain ? Treatment::kPlain : Treatment::kCareful;
-      plan.gate[i] = far ? open[i] : any_power ? static_cast<float>(kLeastLog2) : 0.0f;
-      plan.any_far |= far;
-      plan.any_careful |= !far && !plain;
-      if (far || plain) plan.bound += static_cast<double>(plan.rounding[i]);
-    }
-    for (size_t i = group.end(); i < group.padded_end(); ++i)
-      plan.gate[i] = any_power ? static_cast<float>(kLeastLog2) : 0.0f;
-  }
+  for (size_t g = 0; g < tables.groups().size(); ++g)
+    plan.bound += plan_group(tables, g, limit, tolerance.rounding, plan);
   // Both results are rounded to float at the end: 2^-23 of the position between them.
   double position = 0;
   for (size_t c = 0; c < kChannels; ++c) {
@@ -183,7 +213,7 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
     position = std::max(position, std::abs(origin + tile.base[c]) + kHalf * slopes + expectation.excursion);
   }
   plan.bound += position * 0x1p-23;
-  if (!(plan.bound <= tolerance.rounding)) treat_all_carefully(plan);
+  if (!(plan.bound <= tolerance.rounding)) treat_all_carefully(tables, plan);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -50,22 +50,26 @@ class NearSum {
       : tables_(tables), tile_(tile), view_(view), sums_(sums), earlier_(earlier) {}
 
   template <WeightKind kKind>
-  void add(Treatment treatment, std::span<const int> lines) {
-    if (chunks_ == kChunksPerBlock) put_away();
-    ++chunks_;
-    if (treatment == Treatment::kPlain) {
-      PlainChunk<kChannels> chunk(tables_, tile_, view_, kKind, lines);
-      add_plain<kKind>(chunk, lines.size(), sums_);
-    } else {
-      CarefulChunk<kChannels> chunk(tables_, tile_, view_, lines);
-      add_careful<kKind>(chunk, lines.size(), sums_);
-    }
+  void add_plain_lines(std::span<const int> lines) {
+    begin_chunk();
+    PlainChunk<kChannels> chunk(tables_, tile_, view_, kKind, lines);
+    add_plain<kKind>(chunk, lines.size(), sums_);
+  }
+  template <WeightKind kKind>
+  void add_careful_lines(std::span<const int> lines) {
+    begin_chunk();
+    CarefulChunk<kChannels> chunk(tables_, tile_, view_, lines);
+    add_careful<kKind>(chunk, lines.size(), sums_);
   }
   void finish() {
     if (any_earlier_) sums_.add(earlier_);
   }
 
  private:
+  void begin_chunk() {
+    if (chunks_ == kChunksPerBlock) put_away();
+    ++chunks_;
+  }
   void put_away() {
     if (!any_earlier_) earlier_.clear();
     any_earlier_ = true;
@@ -83,23 +87,24 @@ class NearSum {
   bool any_earlier_ = false;
 };
 
+/// Calls fn with every kLineChunk of the lines, and with the rest.
+template <class Fn>
+void for_chunks(std::span<const int> lines, const Fn& fn) {
+  for (; !lines.empty(); lines = lines.subspan(std::min<size_t>(kLineChunk, lines.size())))
+    fn(lines.first(std::min<size_t>(kLineChunk, lines.size())));
+}
+
 template <int kChannels>
 void sum_near(const FieldTables& tables, const Plan& plan, NearSum<kChannels>& sum) {
-  std::array<int, kLineChunk> lines;
-  const auto add_chunk = [&]<WeightKind kKind>(Treatment treatment, std::span<const int> chosen) {
-    sum.template add<kKind>(treatment, chosen);
-  };
-  for (const LineGroup& group : tables.groups()) {
-    for (const Treatment treatment : {Treatment::kPlain, Treatment::kCareful}) {
-      size_t count = 0;
-      for (int i = group.begin; i < group.begin + group.count; ++i) {
-        if (plan.treatment[static_cast<size_t>(i)] == treatment) lines[count++] = i;
-        const bool last = i + 1 == group.begin + group.count;
-        if (count < lines.size() && !(last && count > 0)) continue;
-        with_kind(group.kind, add_chunk, treatment, std::span<const int>(lines.data(), count));
-        count = 0;
-      }
-    }
+  for (size_t g = 0; g < tables.groups().size(); ++g) {
+    const size_t first = tables.groups()[g].first();
+    const auto add_group = [&]<WeightKind kKind>() {
+      for_chunks(std::span(plan.plain).subspan(first, plan.plain_count[g]),
+                 [&](std::span<const int> lines) { sum.template add_plain_lines<kKind>(lines); });
+      for_chunks(std::span(plan.careful).subspan(first, plan.careful_count[g]),
+                 [&](std::span<const int> lines) { sum.template add_careful_lines<kKind>(lines); });
+    };
+    with_kind(tables.groups()[g].kind, add_group);
   }
   sum.finish();
 }
@@ -278,7 +283,7 @@ void evaluate_tile(const FieldTables& tables, Tile<kChannels>& tile, FieldAccura
     expectation.total_least = std::min(expectation.total_least, 0.9 * truth.total_least);
     expectation.excursion = std::max(expectation.excursion, 1.1 * truth.excursion);
   }
-  treat_all_carefully(place.plan);
+  treat_all_carefully(tables, place.plan);
   sum_lines(tables, tile, place);
 }
 

@@ -18,6 +18,7 @@ inline constexpr double kValueChannelRange = 32;
 
 /// The falloff exponents that the kernel knows a shorter way to than through logarithms.
 enum class WeightKind { kOne, kOneAndHalf, kTwo, kAny };
+inline constexpr size_t kWeightKinds = 4;
 
 /// Lines of one kind are stored together and start at a multiple of this; so does every chunk that the kernel takes.
 inline constexpr int kLineChunk = 16;
