@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/edit/editor.h"
 #include "cli/edit/layout.h"
+#include "cli/edit/storage.h"
 #include "cli/edit/window.h"
 #include "cli/terminal.h"
 #include "morph/error.h"
@@ -29,6 +30,15 @@ fs::path seen_from(const fs::path& folder, const fs::path& path) {
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return fs::equivalent(a, b, error) && !error;
+}
+
+/// @throws Error unless that side of a project shows this picture.
+void require_picture(const project::Project& project, const project::Side& side, const fs::path& picture) {
+  std::error_code error;
+  if (!fs::exists(picture, error)) throw Error(ErrorCode::kIo, picture.string(), "does not exist");
+  if (!same_file(project::resolve(project, side.image), picture))
+    throw Error(ErrorCode::kUsage, project.file.string(),
+                fmt::format("is a project of other pictures ({}); name another file with -o", side.image.string()));
 }
 
 cv::Size window_size(const std::string& text) {
@@ -73,11 +83,12 @@ project::Project project_to_edit(const EditOptions& options) {
   if (file.empty()) file = options.inputs[0].stem().string() + "-" + options.inputs[1].stem().string() + ".json";
   std::error_code error;
   if (fs::exists(file, error)) {
+    if (!options.features.empty())
+      throw Error(ErrorCode::kUsage, "--features",
+                  fmt::format("{} is there already and has its own; name another file with -o", file.string()));
     project::Project there = project::load(file);
-    if (!same_file(project::resolve(there, there.source.image), options.inputs[0]) ||
-        !same_file(project::resolve(there, there.destination.image), options.inputs[1]))
-      throw Error(ErrorCode::kUsage, file.string(), "is a project of other pictures; name another file with -o");
-    if (!options.features.empty()) project::load_features(there, options.features);
+    require_picture(there, there.source, options.inputs[0]);
+    require_picture(there, there.destination, options.inputs[1]);
     return there;
   }
   project.source.image = seen_from(file.parent_path(), project.source.image);
@@ -89,6 +100,7 @@ project::Project project_to_edit(const EditOptions& options) {
 int run_edit(const EditOptions& options, Output& output) {
   const cv::Size window = window_size(options.window);
   project::Project project = project_to_edit(options);
+  edit::require_savable(project);
   edit::require_display();
   const render::Pictures pictures = render::load_pictures(project);
   warn_of_nonfinite(project.source.image, pictures.source, output);

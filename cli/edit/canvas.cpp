@@ -24,14 +24,8 @@ cv::Mat3b seen(const Pyramid& pyramid, const View& view, cv::Size pane) {
   const double across = static_cast<double>(level.cols) / pyramid.size().width;
   const double down = static_cast<double>(level.rows) / pyramid.size().height;
   const cv::Point2d corner = view.to_picture({0.5, 0.5}, pane);
-  // Pane px -> level px, both with centres at whole numbers, as warpAffine wants it.
   const cv::Matx23d map(across / view.zoom, 0, corner.x * across - 0.5, 0, down / view.zoom, corner.y * down - 0.5);
-  const int how = view.zoom > kSquaresAbove ? cv::INTER_NEAREST : cv::INTER_LINEAR;
-  cv::Mat3b pixels;
-  const cv::Vec3b& behind = palette::kBackground;
-  cv::warpAffine(level, pixels, map, pane, how | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT,
-                 cv::Scalar(behind[0], behind[1], behind[2]));
-  return pixels;
+  return placed(level, map, pane, view.zoom > kSquaresAbove ? cv::INTER_NEAREST : cv::INTER_LINEAR);
 }
 
 /// Words broken into lines that fit.

@@ -66,10 +66,13 @@ Look look_of(const Model& model, int feature) {
 
 void draw_arrow(const Pen& pen, const std::vector<cv::Point2d>& line, const Look& look) {
   const cv::Point2d tip = line.back();
-  const cv::Point2d d = tip - line[line.size() - 2];
-  const double length = std::hypot(d.x, d.y);
   const double size = 11 * pen.scale;
-  if (length < size) return;
+  // The last place on the line that is as far away as the arrow is long.
+  const auto away = [&](cv::Point2d at) { return std::hypot(tip.x - at.x, tip.y - at.y); };
+  const auto from = std::find_if(line.rbegin(), line.rend(), [&](cv::Point2d at) { return away(at) >= size; });
+  if (from == line.rend()) return;
+  const cv::Point2d d = tip - *from;
+  const double length = away(*from);
   const cv::Point2d along = d / length;
   const cv::Point2d across(-along.y, along.x);
   const cv::Point2d base = tip - along * (size + 4 * pen.scale);

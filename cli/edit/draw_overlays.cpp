@@ -146,12 +146,9 @@ void draw_loupe(cv::Mat3b& canvas, const Model& model, const Layout& layout, con
   const cv::Point2d centre = to_content(model, layout, *pane, model.mouse);
   const int radius = px(layout, kLoupeRadius);
   const cv::Size size(2 * radius, 2 * radius);
-  // dst px -> picture px, both with centres at whole numbers, as warpAffine wants it.
   const cv::Matx23d map(1 / zoom, 0, centre.x - (radius - 0.5) / zoom - 0.5, 0, 1 / zoom,
                         centre.y - (radius - 0.5) / zoom - 0.5);
-  cv::Mat3b magnified;
-  cv::warpAffine(pixels, magnified, map, size, cv::INTER_NEAREST | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT,
-                 cv::Scalar(palette::kBackground[0], palette::kBackground[1], palette::kBackground[2]));
+  cv::Mat3b magnified = placed(pixels, map, size, cv::INTER_NEAREST);
   const cv::Point2d middle(radius, radius);
   const double arm = 0.22 * radius;
   for (const cv::Vec3b& color : {palette::kDark, palette::kLight}) {

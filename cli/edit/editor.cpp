@@ -22,8 +22,29 @@ bool same_view(const PreviewRequest& a, const PreviewRequest& b) {
   return a.t == b.t && a.show == b.show && a.folds == b.folds && a.view == b.view && a.size == b.size;
 }
 
+/// Whether both name the same files, however they spell them.
+bool same_picture(const project::Project& a, const project::Side& of_a, const project::Project& b,
+                  const project::Side& of_b) {
+  project::Side renamed = of_a;
+  renamed.image = of_b.image;
+  std::error_code error;
+  return renamed == of_b &&
+         (of_a.image == of_b.image ||
+          std::filesystem::equivalent(project::resolve(a, of_a.image), project::resolve(b, of_b.image), error));
+}
+
 bool same_pictures(const project::Project& a, const project::Project& b) {
-  return a.source == b.source && a.destination == b.destination;
+  return same_picture(a, a.source, b, b.source) && same_picture(a, a.destination, b, b.destination);
+}
+
+/// What has no file yet begins empty: features that it came with are the first change.
+project::Project beginning(const project::Project& project) {
+  project::Project begun = project;
+  if (project.original) return begun;
+  begun.features.clear();
+  begun.groups.clear();
+  begun.mesh.reset();
+  return begun;
 }
 
 }  // namespace
@@ -31,24 +52,39 @@ bool same_pictures(const project::Project& a, const project::Project& b) {
 Editor::Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas)
     : source_(pictures.source.image),
       destination_(pictures.destination.image),
-      model_(std::move(project), source_.size(), destination_.size(), canvas),
+      model_(beginning(project), source_.size(), destination_.size(), canvas),
       gestures_(model_, edges_of(source_, destination_)),
       storage_(model_.document.project()),
       canvas_(source_, destination_),
       thread_(source_, destination_) {
+  if (!project::same_document(project, model_.document.project())) model_.document.replace(std::move(project));
   const project::Project& loaded = model_.document.project();
   model_.fit_views();
   model_.file_name = storage_.file().filename().string();
   model_.welcome = loaded.features.empty() && !loaded.mesh;
   if (loaded.mesh && project::method_of(loaded) == project::Method::kMesh) model_.tool = Tool::kMesh;
-  kept_revision_ = model_.document.revision();
+  if (!model_.document.changed()) kept_revision_ = model_.document.revision();
   leftover_ = storage_.leftover();
-  if (leftover_ && !same_pictures(leftover_->project, loaded)) leftover_.reset();
-  if (leftover_)
+  if (leftover_) meet_leftover();
+}
+
+/// Offers it; or puts it aside, if it is not for these pictures.
+void Editor::meet_leftover() {
+  if (leftover_->project && same_pictures(*leftover_->project, model_.document.project())) {
     ask(Asked::kRestore, {"Unsaved work was found",
                           {fmt::format("{} was being changed until {}", model_.file_name, leftover_->when),
                            "and not saved when the program ended."},
-                          {{'r', "Restore it (r)"}, {'d', "Discard it (d)"}}});
+                          {{'r', "Restore it (r)"}, {'d', "Discard it (d)"}, {'n', "Not now (n)"}}});
+    return;
+  }
+  put_leftover_aside();
+}
+
+void Editor::put_leftover_aside() {
+  leftover_.reset();
+  const std::optional<std::filesystem::path> aside = storage_.set_autosave_aside();
+  say(aside ? fmt::format("unsaved work of an earlier session is kept in {}", aside->filename().string())
+            : "unsaved work of an earlier session could not be put aside");
 }
 
 std::string Editor::title() const {
@@ -57,11 +93,13 @@ std::string Editor::title() const {
 }
 
 void Editor::mouse(const Mouse& event) {
+  if (event.what == Mouse::What::kPress) model_.message.clear();
   grant(gestures_.mouse(event));
   stale_ = true;
 }
 
 void Editor::key(int key) {
+  model_.message.clear();
   grant(gestures_.key(key));
   stale_ = true;
 }
@@ -111,12 +149,14 @@ void Editor::take_answer() {
   const auto asked = std::exchange(asked_, Asked::kNothing);
   if (asked == Asked::kRestore) {
     if (answer == 'r') {
-      model_.document.replace(std::move(leftover_->project));
+      model_.document.replace(std::move(*leftover_->project));
       model_.welcome = false;
       autosave_is_there_ = true;
       say("restored; s saves it");
-    } else {
+    } else if (answer == 'd') {
       storage_.drop_autosave();
+    } else {
+      put_leftover_aside();
     }
     leftover_.reset();
   } else if (asked == Asked::kClose) {
@@ -151,19 +191,18 @@ bool Editor::save(bool over_changes_of_others) {
   }
   autosave_is_there_ = false;
   kept_revision_ = model_.document.revision();
-  noticed_ = false;
   say(fmt::format("saved {}", model_.file_name));
   return true;
 }
 
 void Editor::take_theirs() {
   try {
-    project::Project theirs = storage_.reload();
-    noticed_ = false;
+    project::Project theirs = storage_.read();
     if (!same_pictures(theirs, model_.document.project())) {
       say(fmt::format("{} names other pictures now: close and open it again", model_.file_name));
       return;
     }
+    storage_.accept();
     model_.document.replace(theirs);
     model_.document.mark_saved(theirs);
     say(fmt::format("{} was changed by another program; this is what it says now", model_.file_name));
@@ -175,8 +214,7 @@ void Editor::take_theirs() {
 void Editor::look_at_file() {
   if (now_ - looked_at_file_ < kLookAtFileEvery || model_.document.in_step() || model_.question) return;
   looked_at_file_ = now_;
-  if (noticed_ || !storage_.changed_by_others()) return;
-  noticed_ = true;
+  if (!storage_.news_of_others()) return;
   if (model_.document.changed()) {
     say(fmt::format("{} has been changed by another program; s asks what to do", model_.file_name));
   } else {
@@ -185,8 +223,11 @@ void Editor::look_at_file() {
 }
 
 void Editor::keep_autosave() {
-  if (std::string problem = storage_.autosave_problem(); !problem.empty())
+  if (std::string problem = storage_.autosave_problem(); !problem.empty()) {
     say(fmt::format("autosave failed: {}", problem));
+    kept_revision_ = kNoRevision;
+    unkept_since_ = now_;
+  }
   if (asked_ == Asked::kRestore) return;  // what is there is still wanted
   const std::uint64_t revision = model_.document.revision();
   if (revision == kept_revision_) {
@@ -209,11 +250,13 @@ void Editor::drop_autosave() {
   if (std::exchange(autosave_is_there_, false)) storage_.drop_autosave();
 }
 
-void Editor::rescue() {
-  if (asked_ == Asked::kRestore || !model_.document.changed()) return;
-  storage_.finish();
-  storage_.autosave(model_.document.project());
-  storage_.finish();
+std::string Editor::rescue() noexcept try {
+  if (!model_.document.changed()) return "nothing was unsaved";
+  // Somebody's earlier work is still there, unanswered.
+  if (std::exchange(asked_, Asked::kNothing) == Asked::kRestore) storage_.set_autosave_aside();
+  return fmt::format("what was not saved is in {}", storage_.rescue(model_.document.project()).string());
+} catch (const std::exception& error) {
+  return fmt::format("what was not saved is lost: {}", error.what());
 }
 
 void Editor::close() {

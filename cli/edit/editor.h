@@ -44,7 +44,8 @@ class Editor {
   void close();
   bool done() const noexcept { return done_; }
   /// The program is about to be ended: what is not saved goes to the autosave, now.
-  void rescue();
+  /// @return what became of it, in a few words for a message. Does not throw.
+  std::string rescue() noexcept;
 
   /// What the preview last needed, for the benchmark: waits until it is there.
   void finish_preview();
@@ -58,6 +59,8 @@ class Editor {
 
   void grant(std::optional<Wish> wish);
   void ask(Asked what, Question question);
+  void meet_leftover();
+  void put_leftover_aside();
   void take_answer();
   bool save(bool over_changes_of_others);
   void take_theirs();
@@ -77,14 +80,14 @@ class Editor {
   Asked asked_ = Asked::kNothing;
   std::optional<Leftover> leftover_;
   bool close_after_save_ = false;
-  bool noticed_ = false;  ///< a change by others has been told of
   bool stale_ = true;
   bool done_ = false;
   double now_ = 0;
   bool started_ = false;
   double looked_at_file_ = 0;
-  std::uint64_t kept_revision_ = 0;     ///< the last one that a file has
-  std::optional<double> unkept_since_;  ///< when a later one came to be, s
+  static constexpr std::uint64_t kNoRevision = ~std::uint64_t{0};
+  std::uint64_t kept_revision_ = kNoRevision;  ///< the last one that a file has
+  std::optional<double> unkept_since_;         ///< when a later one came to be, s
   bool autosave_is_there_ = false;
   std::optional<PreviewRequest> requested_;
   std::uint64_t requested_revision_ = 0;

@@ -130,4 +130,21 @@ void polygon(cv::Mat3b& picture, const std::vector<cv::Point2d>& corners, const 
   cv::fillConvexPoly(picture, fixed_corners, scalar(color), cv::LINE_AA, kShift);
 }
 
+cv::Mat3b placed(const cv::Mat3b& picture, const cv::Matx23d& map, cv::Size size, int how) {
+  const cv::Scalar behind(palette::kBackground[0], palette::kBackground[1], palette::kBackground[2]);
+  // Only what is seen, for OpenCV takes no picture of 32767 px or more here.
+  const auto held = [](double at, int most) { return static_cast<int>(std::clamp(at, 0.0, 1.0 * most)); };
+  const double right = map(0, 2) + map(0, 0) * size.width, bottom = map(1, 2) + map(1, 1) * size.height;
+  const cv::Point first(held(std::floor(map(0, 2)) - 1, picture.cols), held(std::floor(map(1, 2)) - 1, picture.rows));
+  const cv::Point last(held(std::ceil(right) + 2, picture.cols), held(std::ceil(bottom) + 2, picture.rows));
+  const cv::Rect seen(first, last);
+  if (seen.empty()) return {size, palette::kBackground};
+  cv::Matx23d from_seen = map;
+  from_seen(0, 2) -= seen.x;
+  from_seen(1, 2) -= seen.y;
+  cv::Mat3b result;
+  cv::warpAffine(picture(seen), result, from_seen, size, how | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, behind);
+  return result;
+}
+
 }  // namespace morphkit::edit

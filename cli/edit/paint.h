@@ -31,6 +31,10 @@ cv::Vec3b mixed(const cv::Vec3b& a, const cv::Vec3b& b, double share);
 /// A rectangle with round corners. @param cover  1: opaque.
 void fill(cv::Mat3b& picture, const cv::Rect& rect, const cv::Vec3b& color, int radius = 0, double cover = 1);
 
+/// A picture scaled and moved, on the background. @param map  from px of the result to px of the picture, both with
+/// centres at whole numbers. @param how  an interpolation of OpenCV.
+cv::Mat3b placed(const cv::Mat3b& picture, const cv::Matx23d& map, cv::Size size, int how);
+
 // Antialiased, to fractions of a px; positions may lie anywhere.
 void stroke(cv::Mat3b& picture, const std::vector<cv::Point2d>& points, const cv::Vec3b& color, int thickness);
 void disc(cv::Mat3b& picture, cv::Point2d centre, double radius, const cv::Vec3b& color);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -20,7 +21,10 @@ namespace fs = std::filesystem;
 std::optional<std::string> text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return text;
 }
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -39,9 +43,15 @@ std::string local_time(fs::file_time_type time) {
 
 }  // namespace
 
+void require_savable(const project::Project& project) {
+  static_cast<void>(project::to_text(project));
+  const AtomicFile there(project.file, true);  // and gone again
+}
+
 Storage::Storage(const project::Project& project) : file_(project.file) {
   if (project.original) known_ = *project.original;
-  stamp_ = stamp();
+  const std::optional<Stamp> now = stamp();
+  if (text_of(file_) == known_) stamp_ = now;
 }
 
 Storage::~Storage() {
@@ -77,17 +87,28 @@ bool Storage::changed_by_others() {
   const std::optional<Stamp> now = stamp();
   if (!now || now == stamp_) return false;
   const std::optional<std::string> text = text_of(file_);
-  if (!text || (known_ && *text != *known_) || !known_) return text.has_value();
+  if (text != known_) return text.has_value();
   stamp_ = now;
   return false;
 }
 
-project::Project Storage::reload() {
+bool Storage::news_of_others() {
   const std::optional<Stamp> now = stamp();
+  if (now == told_ || !changed_by_others()) return false;
+  told_ = now;
+  return true;
+}
+
+project::Project Storage::read() {
+  read_stamp_ = stamp();
   project::Project project = project::load(file_);
-  known_ = text_of(file_);
-  stamp_ = now;
+  read_ = *project.original;
   return project;
+}
+
+void Storage::accept() {
+  known_ = read_;
+  stamp_ = read_stamp_;
 }
 
 bool Storage::autosave(const project::Project& project) {
@@ -121,18 +142,44 @@ void Storage::drop_autosave() {
   fs::remove(autosave_file(), ignored);
 }
 
+fs::path Storage::rescue(const project::Project& project) {
+  finish();
+  const std::string text = project::to_text(project);
+  try {
+    write_text(autosave_file(), text);
+    return autosave_file();
+  } catch (const Error&) {
+    std::error_code error;
+    const fs::path elsewhere = fs::temp_directory_path(error) / autosave_file().filename();
+    write_text(elsewhere, text);
+    return elsewhere;
+  }
+}
+
+std::optional<fs::path> Storage::set_autosave_aside() {
+  for (int number = 1;; ++number) {
+    fs::path aside = autosave_file();
+    aside += std::string(".").append(std::to_string(number));
+    std::error_code error;
+    if (fs::exists(aside, error)) continue;
+    if (!error) fs::rename(autosave_file(), aside, error);
+    return error ? std::nullopt : std::optional(aside);
+  }
+}
+
 std::optional<Leftover> Storage::leftover() const {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(autosave_file(), error);
   const std::optional<std::string> text = error ? std::nullopt : text_of(autosave_file());
   if (!text || text == known_) return std::nullopt;
+  Leftover leftover{std::nullopt, local_time(time)};
   try {
-    project::Project project = project::parse(*text, autosave_file());
-    project.file = file_;
-    return Leftover{std::move(project), local_time(time)};
+    leftover.project = project::parse(*text, autosave_file());
+    leftover.project->file = file_;
   } catch (const Error&) {
-    return std::nullopt;  // not written by this program: left alone
+    // Not written by this version of the program.
   }
+  return leftover;
 }
 
 }  // namespace morphkit::edit

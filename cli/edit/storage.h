@@ -12,9 +12,12 @@ namespace morphkit::edit {
 
 /// What an earlier session that did not end well has left.
 struct Leftover {
-  project::Project project;
-  std::string when;  ///< local time, "2026-11-23 14:05"
+  std::optional<project::Project> project;  ///< nothing: it cannot be read
+  std::string when;                         ///< local time, "2026-11-23 14:05"
 };
+
+/// @throws Error kIo if no file could be written at the project's place, or what project::to_text says.
+void require_savable(const project::Project& project);
 
 class Storage {
  public:
@@ -32,8 +35,12 @@ class Storage {
   /// Whether the file holds something else than what was last read or written here. Looks at the file's time and size
   /// first, so it may be asked often. A file that has gone away has not changed.
   bool changed_by_others();
-  /// What the file holds now. @throws Error as project::load.
-  project::Project reload();
+  /// The same, but true only once for what is there.
+  bool news_of_others();
+  /// What the file holds now. It counts as changed until it is accepted. @throws Error as project::load.
+  project::Project read();
+  /// What was read last is known from now on.
+  void accept();
 
   /// Writes the project beside its file, in the background. @return false if the last one is still being written.
   bool autosave(const project::Project& project);
@@ -42,9 +49,14 @@ class Storage {
   /// Waits for the autosave that is being written.
   void finish();
   void drop_autosave();
+  /// The last moment before the program ends: writes the autosave, if need be to the folder for temporary files.
+  /// @return where it is. @throws Error kIo.
+  std::filesystem::path rescue(const project::Project& project);
 
-  /// The autosave that is there, if it can be read and says something else than the file.
+  /// The autosave that is there, if it says something else than the file.
   std::optional<Leftover> leftover() const;
+  /// Gives the autosave a name that nothing is written to. @return the name; nothing if it could not be renamed.
+  std::optional<std::filesystem::path> set_autosave_aside();
 
  private:
   struct Stamp {
@@ -56,7 +68,10 @@ class Storage {
 
   std::filesystem::path file_;
   std::optional<std::string> known_;  ///< text of the file as last read or written; nothing: no file
-  std::optional<Stamp> stamp_;
+  std::optional<Stamp> stamp_;        ///< of `known_`
+  std::optional<Stamp> told_;         ///< of what `news_of_others` has told of
+  std::optional<std::string> read_;   ///< and its stamp: what `read` has read
+  std::optional<Stamp> read_stamp_;
   std::future<std::string> writing_;  ///< gives what went wrong
   std::string problem_;
 };

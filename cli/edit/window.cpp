@@ -4,8 +4,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <unistd.h>
 #include <opencv2/highgui.hpp>
 
@@ -160,23 +162,7 @@ bool take_events(Editor& editor, EventQueue& queue, int key) {
   return !events.empty() || key != -1;
 }
 
-}  // namespace
-
-void require_display() {
-  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-    const char* value = std::getenv(name);
-    if (value != nullptr && *value != '\0') return;
-  }
-  throw Error(ErrorCode::kFailed, "edit", kNoDisplay);
-}
-
-void run_window(Editor& editor) {
-  require_display();
-  EventQueue queue;
-  const auto before = std::signal(SIGABRT, on_abort);
-  open_window(queue);
-  std::signal(SIGABRT, before);
-
+void run_events(Editor& editor, EventQueue& queue) {
   Watch watch;
   std::string title;
   editor.turn(seconds_now());
@@ -186,8 +172,7 @@ void run_window(Editor& editor) {
     const bool playing = editor.model().playing;
     const int key = cv::waitKeyEx(playing ? kPlayingWaitMs : busy ? kBusyWaitMs : kIdleWaitMs);
     if (cli::interrupted()) {
-      editor.rescue();
-      throw Error(ErrorCode::kInterrupted, "edit", "interrupted; what was not saved is in the autosave");
+      throw Error(ErrorCode::kInterrupted, "edit", fmt::format("interrupted; {}", editor.rescue()));
     }
     busy = take_events(editor, queue, key);
     if (watch.closed() && !editor.done()) {
@@ -205,6 +190,30 @@ void run_window(Editor& editor) {
       show(editor, title);
       busy = true;
     }
+  }
+}
+
+}  // namespace
+
+void require_display() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    const char* value = std::getenv(name);
+    if (value != nullptr && *value != '\0') return;
+  }
+  throw Error(ErrorCode::kFailed, "edit", kNoDisplay);
+}
+
+void run_window(Editor& editor) {
+  require_display();
+  EventQueue queue;
+  const auto before = std::signal(SIGABRT, on_abort);
+  open_window(queue);
+  std::signal(SIGABRT, before);
+  try {
+    run_events(editor, queue);
+  } catch (...) {
+    editor.rescue();
+    throw;
   }
   cv::destroyAllWindows();
 }

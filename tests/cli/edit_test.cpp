@@ -59,6 +59,28 @@ TEST_F(Edit, RefusesWhatIsNotToBeUnderstood) {
   EXPECT_EQ(run({"good.json", "-o", "other.json"}).exit_code, 2);
 }
 
+TEST_F(Edit, DoesNotPutFeaturesOverAProjectThatIsThere) {
+  test::write_text(folder_ / "a-b.json",
+                   R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"},
+                                             "features": [{"id": "tip", "point": {"source": [1, 1], "destination": [2, 2]}}]})");
+  const test::RunResult result = run({"a.png", "b.png", "--features", "a-b.json"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("a-b.json is there already"), std::string::npos) << result.err;
+}
+
+TEST_F(Edit, RefusesToOpenWhatItCouldNotSave) {
+  const test::RunResult result = run({"a.png", "b.png", "-o", "nowhere/pair.json"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_NE(result.err.find("nowhere"), std::string::npos) << result.err;
+}
+
+TEST_F(Edit, TellsOtherPicturesFromMissingOnes) {
+  test::write_text(folder_ / "a-b.json",
+                   R"({"morphkit": 1, "source": {"image": "c.png"}, "destination": {"image": "b.png"}})");
+  EXPECT_NE(run({"a.png", "b.png"}).err.find("is a project of other pictures (c.png)"), std::string::npos);
+  EXPECT_NE(run({"x.png", "b.png", "-o", "a-b.json"}).err.find("x.png: does not exist"), std::string::npos);
+}
+
 TEST_F(Edit, NamesTheProjectAfterThePictures) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -22,15 +23,19 @@ const cv::Size kCanvas(1280, 720);
 
 class EditorSession : public testing::Test {
  protected:
-  void open() {
+  void open(const std::string& source = "a.png") {
     project::Project project;
     if (fs::exists(file())) {
       project = project::load(file());
     } else {
-      project.source.image = "a.png";
+      project.source.image = source;
       project.destination.image = "b.png";
       project.file = file();
     }
+    open(std::move(project));
+  }
+
+  void open(project::Project project) {
     editor_.reset();
     editor_ = std::make_unique<Editor>(
         std::move(project), test::pictures(test::random_image(kPicture, 1), test::random_image(kPicture, 2)), kCanvas);
@@ -45,6 +50,12 @@ class EditorSession : public testing::Test {
   void wait(double seconds) {
     now_ += seconds;
     editor_->turn(now_);
+  }
+
+  /// Lets the background finish its work. @return whether the status line then says this.
+  bool hears(const std::string& message) {
+    for (int i = 0; i < 1'000'000 && !editor_->model().message.starts_with(message); ++i) wait(1e-6);
+    return editor_->model().message.starts_with(message);
   }
 
   void press(int key) {
@@ -135,6 +146,81 @@ TEST_F(EditorSession, AutosavesAfterSecondsOfChangeAndRestoresAfterADeath) {
   EXPECT_FALSE(fs::exists(autosave()));
 }
 
+TEST_F(EditorSession, AnAutosaveThatIsNotAnsweredForIsKept) {
+  constexpr int kEscape = 27;
+  open();
+  drag({20, 30}, {120, 40});
+  wait(kAutosaveAfter + 0.1);
+  open();
+  press(kEscape);
+  EXPECT_EQ(question(), "");
+  EXPECT_FALSE(fs::exists(autosave()));
+  drag({20, 30}, {120, 40});
+  drag({30, 90}, {110, 100});
+  wait(kAutosaveAfter + 0.1);
+  editor_.reset();
+  EXPECT_EQ(project::load(autosave()).features.size(), 2U);
+  EXPECT_EQ(project::load(folder_ / "pair.json.autosave.1").features.size(), 1U);
+}
+
+TEST_F(EditorSession, KnowsItsPicturesByAnyName) {
+  test::write_text(folder_ / "a.png", "");
+  open();
+  drag({20, 30}, {120, 40});
+  wait(kAutosaveAfter + 0.1);
+  open((folder_ / "a.png").string());
+  EXPECT_EQ(question(), "Unsaved work was found");
+  press('r');
+  EXPECT_EQ(project().features.size(), 1U);
+}
+
+TEST_F(EditorSession, PutsAsideWhatBelongsToOtherPictures) {
+  open();
+  drag({20, 30}, {120, 40});
+  wait(kAutosaveAfter + 0.1);
+  open("c.png");
+  EXPECT_EQ(question(), "");
+  EXPECT_NE(editor_->model().message.find("pair.json.autosave.1"), std::string::npos);
+  EXPECT_EQ(project::load(folder_ / "pair.json.autosave.1").features.size(), 1U);
+}
+
+TEST_F(EditorSession, FeaturesToBeginWithAreNotSavedYet) {
+  open();
+  drag({20, 30}, {120, 40});
+  project::Project begun = project();
+  begun.original.reset();
+  open(begun);
+  EXPECT_EQ(project().features.size(), 1U);
+  EXPECT_EQ(editor_->title().front(), '*');
+  wait(kAutosaveAfter + 0.1);
+  press('z');
+  EXPECT_TRUE(project().features.empty());
+  EXPECT_NE(editor_->title().front(), '*');
+}
+
+TEST_F(EditorSession, TriesAgainWhenAnAutosaveFails) {
+  open();
+  fs::create_directory(autosave());
+  drag({20, 30}, {120, 40});
+  wait(kAutosaveAfter + 0.1);
+  ASSERT_TRUE(hears("autosave failed"));
+  fs::remove(autosave());
+  wait(kAutosaveAfter + 0.1);
+  editor_.reset();
+  EXPECT_EQ(project::load(autosave()).features.size(), 1U);
+}
+
+TEST_F(EditorSession, AMessageStandsUntilTheHandGoesOn) {
+  open();
+  drag({20, 30}, {120, 40});
+  press('s');
+  EXPECT_EQ(editor_->model().message, "saved pair.json");
+  wait(5);
+  EXPECT_EQ(editor_->model().message, "saved pair.json");
+  press('3');
+  EXPECT_NE(editor_->model().message, "saved pair.json");
+}
+
 TEST_F(EditorSession, ADiscardedAutosaveIsGone) {
   open();
   drag({20, 30}, {120, 40});
@@ -160,9 +246,22 @@ TEST_F(EditorSession, AnAutosaveOfWhatHasBeenUndoneIsTakenAway) {
 TEST_F(EditorSession, RescuesWhatAnInterruptWouldLose) {
   open();
   drag({20, 30}, {120, 40});
-  editor_->rescue();
-  ASSERT_TRUE(fs::exists(autosave()));
+  EXPECT_EQ(editor_->rescue(), "what was not saved is in " + autosave().string());
   EXPECT_EQ(project::load(autosave()).features.size(), 1U);
+  press('s');
+  EXPECT_EQ(editor_->rescue(), "nothing was unsaved");
+}
+
+TEST_F(EditorSession, RescuesToAnotherFolderIfNeedBe) {
+  const test::TemporaryFolder elsewhere;
+  setenv("TMPDIR", (elsewhere / "").c_str(), 1);
+  open();
+  drag({20, 30}, {120, 40});
+  fs::create_directory(autosave());
+  const std::string said = editor_->rescue();
+  unsetenv("TMPDIR");
+  EXPECT_EQ(said, "what was not saved is in " + (elsewhere / "pair.json.autosave").string());
+  EXPECT_EQ(project::load(elsewhere / "pair.json.autosave").features.size(), 1U);
 }
 
 TEST_F(EditorSession, AsksBeforeClosing) {
@@ -219,6 +318,32 @@ TEST_F(EditorSession, DoesNotOverwriteWhatAHandWrote) {
   EXPECT_EQ(project().features.size(), 2U) << "one's own state is one step away";
   press('s');
   EXPECT_EQ(project::load(file()).features.size(), 2U);
+}
+
+TEST_F(EditorSession, TakesOverWhatAHandWroteOnceItCanBeRead) {
+  open();
+  drag({20, 30}, {120, 40});
+  press('s');
+  edit_by_hand("line 1", "brow\"");
+  wait(kLookAtFileEvery + 0.1);
+  EXPECT_TRUE(editor_->model().message.starts_with("not taken"));
+  edit_by_hand("brow\"", "brow");
+  wait(kLookAtFileEvery + 0.1);
+  EXPECT_EQ(project().features.front().id, "brow");
+}
+
+TEST_F(EditorSession, DoesNotOverwriteAProjectOfOtherPictures) {
+  open();
+  drag({20, 30}, {120, 40});
+  press('s');
+  edit_by_hand("a.png", "c.png");
+  wait(kLookAtFileEvery + 0.1);
+  EXPECT_NE(editor_->model().message.find("other pictures"), std::string::npos);
+  drag({30, 90}, {110, 100});
+  press('s');
+  EXPECT_NE(question(), "");
+  press('c');
+  EXPECT_EQ(project::load(file()).source.image, "c.png");
 }
 
 TEST_F(EditorSession, OverwritesWhenToldTo) {

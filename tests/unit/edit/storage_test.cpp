@@ -51,7 +51,9 @@ TEST(Storage, NoticesWhatOthersWrite) {
   text.replace(text.find("brow"), 4, "eyes");
   edit_by_hand(project.file, text);
   EXPECT_TRUE(storage.changed_by_others());
-  EXPECT_EQ(storage.reload().features.front().id, "eyes");
+  EXPECT_EQ(storage.read().features.front().id, "eyes");
+  EXPECT_TRUE(storage.changed_by_others()) << "it has only been read";
+  storage.accept();
   EXPECT_FALSE(storage.changed_by_others());
 }
 
@@ -77,20 +79,57 @@ TEST(Storage, GivesBackAnAutosaveUntilTheProjectIsSaved) {
   Storage storage(project);
   const std::optional<Leftover> leftover = storage.leftover();
   ASSERT_TRUE(leftover);
-  EXPECT_TRUE(project::same_document(leftover->project, project));
-  EXPECT_EQ(leftover->project.file, project.file);
+  EXPECT_TRUE(project::same_document(*leftover->project, project));
+  EXPECT_EQ(leftover->project->file, project.file);
   EXPECT_EQ(leftover->when.size(), std::string("2026-11-23 14:05").size());
   storage.save(project);
   EXPECT_FALSE(storage.leftover());
   EXPECT_EQ(folder.names(), std::vector<std::string>{"pair.json"});
 }
 
-TEST(Storage, LeavesAnAutosaveAloneThatItCannotRead) {
+TEST(Storage, GivesAnAutosaveThatItCannotReadAnotherName) {
   const test::TemporaryFolder folder;
-  const Storage storage(in_file(folder / "pair.json"));
+  Storage storage(in_file(folder / "pair.json"));
+  test::write_text(folder / "pair.json.autosave.1", "an earlier one");
   test::write_text(storage.autosave_file(), "no project");
+  ASSERT_TRUE(storage.leftover());
+  EXPECT_FALSE(storage.leftover()->project);
+  EXPECT_EQ(storage.set_autosave_aside(), folder / "pair.json.autosave.2");
+  EXPECT_EQ(test::read_text(folder / "pair.json.autosave.2"), "no project");
+  EXPECT_EQ(test::read_text(folder / "pair.json.autosave.1"), "an earlier one");
   EXPECT_FALSE(storage.leftover());
-  EXPECT_TRUE(fs::exists(storage.autosave_file()));
+}
+
+TEST(Storage, TellsOfNewsOnce) {
+  const test::TemporaryFolder folder;
+  project::Project project = in_file(folder / "pair.json");
+  Storage storage(project);
+  project = storage.save(project);
+  EXPECT_FALSE(storage.news_of_others());
+  edit_by_hand(project.file, "{");
+  EXPECT_TRUE(storage.news_of_others());
+  EXPECT_FALSE(storage.news_of_others());
+  EXPECT_TRUE(storage.changed_by_others());
+  edit_by_hand(project.file, "{}");
+  EXPECT_TRUE(storage.news_of_others()) << "there are more";
+}
+
+TEST(Storage, WhatWasWrittenSinceTheProjectWasLoadedIsAChangeByOthers) {
+  const test::TemporaryFolder folder;
+  project::Project project = in_file(folder / "pair.json");
+  project = Storage(project).save(project);
+  edit_by_hand(project.file, "{}");
+  EXPECT_TRUE(Storage(project).changed_by_others());
+}
+
+TEST(Storage, RefusesProjectsThatCouldNeverBeSaved) {
+  const test::TemporaryFolder folder;
+  EXPECT_NO_THROW(require_savable(in_file(folder / "pair.json")));
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_THROW(require_savable(in_file(folder / "missing" / "pair.json")), Error);
+  project::Project latin = in_file(folder / "pair.json");
+  latin.source.image = "caf\xE9.png";
+  EXPECT_THROW(require_savable(latin), Error);
 }
 
 TEST(Storage, TellsOfFoldersThatCannotBeWritten) {
