@@ -82,7 +82,8 @@ struct Accumulator {
 /// The channels of up to kLineChunk lines; those of a row are at + ky slope_y.
 template <int kChannels>
 struct ChunkChannels {
-  alignas(64) float at[kChannels][kLineChunk], slope_x[kChannels][kLineChunk], slope_y[kChannels][kLineChunk];
+  alignas(64) float at[kChannels][kLineChunk] = {}, slope_x[kChannels][kLineChunk] = {},
+                    slope_y[kChannels][kLineChunk] = {};
   alignas(64) float row_at[kChannels][kLineChunk];
 
   void take(const View<kChannels>& view, size_t line, size_t i) {
@@ -104,11 +105,12 @@ struct ChunkChannels {
 template <int kChannels>
 struct PlainChunk : ChunkChannels<kChannels> {
   // Of half the size, as plus_twice_root wants it; and over the root, which then need not be multiplied with.
-  alignas(64) float across[kLineChunk], along[kLineChunk], reach[kLineChunk];  // along: from the line's middle
-  alignas(64) float along_x[kLineChunk], along_y[kLineChunk];
+  alignas(64) float across[kLineChunk] = {}, along[kLineChunk] = {},
+                    reach[kLineChunk] = {};  // along: from the line's middle
+  alignas(64) float along_x[kLineChunk] = {}, along_y[kLineChunk] = {};
   alignas(64) float row_across[kLineChunk], row_along[kLineChunk];
-  alignas(64) float a[kLineChunk];
-  alignas(64) float power[kLineChunk], scale[kLineChunk];  // kAny
+  alignas(64) float a[kLineChunk] = {};
+  alignas(64) float power[kLineChunk] = {}, scale[kLineChunk] = {};  // kAny
 
   PlainChunk(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view, WeightKind kind,
              std::span<const int> lines) {
@@ -176,7 +178,7 @@ void add_plain(PlainChunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums
 
 /// Numbers as sums of two floats.
 struct SplitChunk {
-  alignas(64) float hi[kLineChunk], lo[kLineChunk];
+  alignas(64) float hi[kLineChunk] = {}, lo[kLineChunk] = {};
 
   /// On the grid of 2^-17, hi and hi + k slope_hi for every offset k are exact in float as long as they stay below 2^7,
   /// so a value that passes through 0 within a tile keeps its relative precision; one that starts above 2^6 cannot come
@@ -204,8 +206,8 @@ struct CarefulChunk : ChunkChannels<kChannels> {
   SplitChunk along_x, along_y, minus_along_y;
   SplitChunk row_across, row_before, row_after;
   SplitChunk power, scale;  // kAny
-  alignas(64) float a[kLineChunk], root[kLineChunk];
-  alignas(64) float error[kLineChunk];  // px, what this line alone could contribute to a mean's error
+  alignas(64) float a[kLineChunk] = {}, root[kLineChunk] = {};
+  alignas(64) float error[kLineChunk] = {};  // px, what this line alone could contribute to a mean's error
 
   CarefulChunk(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
                std::span<const int> lines) {

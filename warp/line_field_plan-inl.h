@@ -33,10 +33,16 @@ constexpr Tolerance tolerance_of(FieldAccuracy accuracy) {
   return {kShare * kRoundingShare * kAdaptiveTolerancePx, kShare * (1 - kRoundingShare) * kAdaptiveTolerancePx};
 }
 
-/// A line whose rounding alone could take this part of what is allowed is treated carefully; so is one so much weaker
-/// than others of its set that the squares of coordinates over its root could leave the range of a float.
+/// The lines' distances are known to 2^-22 of themselves; this margin leaves pixels on a line to the reference.
+constexpr double kSurelyOffLinePx = kOnLinePx * (1 + 0x1p-8);
+
+/// A line that a pixel may lie on is treated carefully. A line whose rounding alone could take this part of what is
+/// allowed is treated carefully; so is one so much weaker than others of its set that the squares of coordinates over
+/// its root could leave the range of a float.
 constexpr double kPlainLinePart = 1.0 / 16;
 constexpr float kLeastRoot = 0x1p-20f;
+/// An error that no tolerance allows, px or relative.
+constexpr float kTooMuch = 1e30f;
 
 /// How the lines of a tile are treated. Kept from tile to tile.
 struct Plan {
@@ -85,7 +91,7 @@ HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, 
   const V jump = hn::Div(hn::Mul(set(0.03 * kHalf * kHalf), b), hn::Mul(soft, hn::Max(distance, set(1))));
   const auto crosses = hn::Lt(hn::Min(hn::Abs(before), hn::Abs(after)), set(kRadiusPx));
   const V error = hn::Add(analytic, hn::IfThenElseZero(crosses, jump));
-  return hn::IfThenElse(hn::Lt(distance, set(2 * kHalf)), set(1e30), error);
+  return hn::IfThenElse(hn::Lt(distance, set(2 * kHalf)), hn::Set(d, kTooMuch), error);
 }
 
 template <int kChannels>
@@ -102,12 +108,14 @@ void bound_errors(const FieldTables& tables, const View<kChannels>& view, const 
       const auto b = hn::Neg(load(tables.power_single));
       const auto distance = load(view.distance);
       const auto nearest = hn::Max(hn::Sub(distance, hn::Set(d, static_cast<float>(kRadiusPx))), hn::Zero(d));
+      const auto reach = hn::Add(a, nearest);
+      const auto off_line = hn::Ge(reach, hn::Set(d, static_cast<float>(kSurelyOffLinePx)));
       const auto share = hn::Mul(load(view.weight_most), inverse_total);
       const auto spread = load(view.spread);
       const auto length = hn::Neg(hn::Add(load(view.before), load(view.after)));
-      hn::StoreU(rounding_error(d, distance, length, hn::Add(a, nearest), b, hn::Min(share, hn::Set(d, 1.0f)), spread,
-                                excursion, other_units),
-                 d, &plan.rounding[i]);
+      const auto rounding = rounding_error(d, distance, length, reach, b, hn::Min(share, hn::Set(d, 1.0f)), spread,
+                                           excursion, other_units);
+      hn::StoreU(hn::IfThenElse(off_line, rounding, hn::Set(d, kTooMuch)), d, &plan.rounding[i]);
       const auto relative =
           interpolation_error(d, distance, a, b, load(tables.smooth_single), load(view.before), load(view.after));
       hn::StoreU(hn::Mul(hn::Mul(share, relative), hn::Add(spread, excursion)), d, &plan.interpolation[i]);
@@ -174,8 +182,8 @@ inline double plan_group(const FieldTables& tables, size_t number, float limit, 
     const auto is_line = hn::FirstN(d, group.end() - i);
     const auto rounding = hn::LoadU(d, &plan.rounding[i]);
     const auto far = hn::And(is_line, hn::Lt(hn::LoadU(d, &plan.interpolation[i]), hn::Set(d, limit)));
-    const auto holds = hn::And(hn::Le(rounding, plain_most),
-                               hn::Ge(hn::LoadU(d, &tables.root_single[i]), hn::Set(d, kLeastRoot)));
+    const auto holds =
+        hn::And(hn::Le(rounding, plain_most), hn::Ge(hn::LoadU(d, &tables.root_single[i]), hn::Set(d, kLeastRoot)));
     const auto near = hn::AndNot(far, is_line);
     const auto numbers = hn::Iota(di, static_cast<std::int32_t>(i));
     hn::StoreU(hn::IfThenElse(far, hn::LoadU(d, &open[i]), closed), d, &plan.gate[i]);

@@ -159,8 +159,7 @@ PixelBits emit_positions(const Tile<kChannels>& tile, const Sums<kChannels>& sum
     const auto largest = hn::Add(hn::Max(hn::Abs(position_x), hn::Abs(position_y)), set(steps));
     const auto error =
         hn::MulAdd(largest, set(0x1p-23), hn::MulAdd(hn::Load(d, sums.error + pixel), inverse, set(plan.bound)));
-    // The lines' distances are known to 2^-22 of themselves: this margin leaves the decision to the reference.
-    const auto off_lines = hn::Ge(hn::Load(d, sums.nearest + pixel), set(kOnLinePx * (1 + 0x1p-8)));
+    const auto off_lines = hn::Ge(hn::Load(d, sums.nearest + pixel), set(kSurelyOffLinePx));
     const auto safe = hn::And(hn::Le(error, set(plan.allowed)), off_lines);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Not(safe), bits);
@@ -253,7 +252,7 @@ Expectation found(const Sums<kChannels>& sums) {
   auto excursion = hn::Zero(d);
   for (size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) {
     const auto weight = hn::Load(d, sums.weight + i);
-    least = hn::Min(least, weight);
+    least = hn::Min(least, hn::IfThenElseZero(hn::Gt(weight, hn::Zero(d)), weight));  // NaN counts as nothing
     auto largest = hn::Zero(d);
     for (size_t c = 0; c < kChannels; ++c) {
       largest = hn::Max(largest, hn::Abs(hn::Load(d, sums.channel[c] + i)));

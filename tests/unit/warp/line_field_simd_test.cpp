@@ -233,6 +233,28 @@ TEST_P(LineFieldSimd, WhatFloatCannotHoldIsTakenFromTheReference) {
   EXPECT_GT(compare_row(tables, LineField(set.lines, 1), 100, 0, 640), 500);
 }
 
+/// However little the distance counts elsewhere.
+TEST_P(LineFieldSimd, APixelOnALineFollowsItEvenWithoutFalloff) {
+  for (const double b : {0.0, 1e-5}) {
+    const std::vector<FieldLine> lines = {
+        {{{10.5, 50.5}, {200.5, 50.5}}, {{{10.5, 60.5}, {200.5, 60.5}}}, {0, b, 0}, LineScale::kAlong, 0},
+        {{{30, 400}, {90, 420}}, {{{30, 400}, {90, 420}}}, {0, b, 0}, LineScale::kAlong, 0}};
+    for (const FieldAccuracy accuracy : {FieldAccuracy::kExact, FieldAccuracy::kAdaptive})
+      compare_row(detail::FieldTables(lines, 1), LineField(lines, 1), 50, 0, 260, accuracy);
+  }
+}
+
+TEST_P(LineFieldSimd, AHairBesideALineStaysFinite) {
+  for (const double beside : {0.0, 5e-7, 9e-7, 1e-5}) {
+    const std::vector<FieldLine> lines = {{{{100, 48.5 + beside}, {400, 48.5 + beside}},
+                                           {{{110, 58.5 + beside}, {410, 58.5 + beside}}},
+                                           {0, 8, 0},
+                                           LineScale::kAlong,
+                                           0}};
+    compare_row(detail::FieldTables(lines, 1), LineField(lines, 1), 48, 64, 360);
+  }
+}
+
 TEST_P(LineFieldSimd, SteepFalloffStaysFinite) {
   for (const double far : {1e3, 1e6, 1e9}) {
     const std::vector<FieldLine> lines = {
