@@ -74,23 +74,26 @@ HWY_INLINE V rounding_error(D d, V distance, V length, V reach, V b, V share, V 
   return hn::Mul(hn::Mul(share, set(kUnitRoundoff)), hn::Mul(units, hn::Add(spread, excursion)));
 }
 
-/// What interpolation of a far line's weight can do to it, relative to its largest value over the tile; see
-/// docs/methods.md. Where the weight is a power of an analytic distance, the remainder of interpolation at n = 5
+/// What interpolation of a far line can do to its weighted channels, relative to its largest weight over the tile, px;
+/// see docs/methods.md. Where the weight is a power of an analytic distance, the remainder of interpolation at n = 5
 /// Chebyshev nodes goes with the fifth derivative, (b + 4 over 5) (h / distance)^5, h being half the tile; the distance
-/// is measured to where it is nearest, and the constant is an upper bound of what is measured. At the perpendiculars
-/// through its ends a line's distance has a second derivative that jumps by 1 / distance, for which the error is of
-/// second order.
+/// is measured to where it is nearest, and the constant is an upper bound of what is measured. A channel that changes
+/// over the tile adds the weight's fourth derivative times its slope. At the perpendiculars through its ends a line's
+/// distance has a second derivative that jumps by 1 / distance, for which the error is of second order.
+/// @param size  px, the largest difference of a channel from the mean. @param turn  px, what its slopes add to that.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, V after) {
+HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, V after, V size, V turn) {
   const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
   const V half = set(kHalf);
   const V soft = hn::Add(a, distance);
   const V z = hn::Div(half, hn::Max(hn::Sub(distance, half), set(1)));
   const V z2 = hn::Mul(z, z);
-  const V analytic = hn::Mul(hn::Mul(set(0.07), smooth), hn::Div(hn::Mul(hn::Mul(z2, z2), hn::Mul(z, distance)), soft));
+  // (b + 3 over 4) is (b + 4 over 5) 5 / (b + 4).
+  const V product = hn::Div(hn::Mul(set(5.0 / 16), turn), hn::Add(b, set(4)));
+  const V power = hn::Mul(hn::Mul(hn::Mul(z2, z2), smooth), hn::MulAdd(hn::Mul(set(0.07), z), size, product));
   const V jump = hn::Div(hn::Mul(set(0.03 * kHalf * kHalf), b), hn::Mul(soft, hn::Max(distance, set(1))));
   const auto crosses = hn::Lt(hn::Min(hn::Abs(before), hn::Abs(after)), set(kRadiusPx));
-  const V error = hn::Add(analytic, hn::IfThenElseZero(crosses, jump));
+  const V error = hn::MulAdd(power, hn::Div(distance, soft), hn::IfThenElseZero(crosses, hn::Mul(jump, size)));
   return hn::IfThenElse(hn::Lt(distance, set(2 * kHalf)), hn::Set(d, kTooMuch), error);
 }
 
@@ -116,9 +119,9 @@ void bound_errors(const FieldTables& tables, const View<kChannels>& view, const 
       const auto rounding = rounding_error(d, distance, length, reach, b, hn::Min(share, hn::Set(d, 1.0f)), spread,
                                            excursion, other_units);
       hn::StoreU(hn::IfThenElse(off_line, rounding, hn::Set(d, kTooMuch)), d, &plan.rounding[i]);
-      const auto relative =
-          interpolation_error(d, distance, a, b, load(tables.smooth_single), load(view.before), load(view.after));
-      hn::StoreU(hn::Mul(hn::Mul(share, relative), hn::Add(spread, excursion)), d, &plan.interpolation[i]);
+      const auto error = interpolation_error(d, distance, a, b, load(tables.smooth_single), load(view.before),
+                                             load(view.after), hn::Add(spread, excursion), load(view.turn));
+      hn::StoreU(hn::Mul(share, error), d, &plan.interpolation[i]);
     }
   }
 }

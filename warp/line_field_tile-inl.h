@@ -51,12 +51,13 @@ struct View {
   PerLine across, before, after;                         // v; -u |Q - P|; (u - 1) |Q - P|
   std::array<PerLine, kChannels> at, slope_x, slope_y;   // relative to the base
   PerLine spread;                                        // px, the largest of any channel over the tile
+  PerLine turn;                                          // px, what slopes alone can do to it
   PerLine weight_most;                                   // over the tile
   double total_least = 0;                                // of all lines, over the tile
   std::array<std::vector<double>, kChannels> at_double;  // before the base is known
 
   void resize(size_t lines) {
-    for (PerLine* array : {&distance, &across, &before, &after, &spread, &weight_most}) array->resize(lines);
+    for (PerLine* array : {&distance, &across, &before, &after, &spread, &turn, &weight_most}) array->resize(lines);
     for (auto* arrays : {&at, &slope_x, &slope_y}) {
       for (PerLine& array : *arrays) array.resize(lines);
     }
@@ -154,7 +155,7 @@ void measure_from_base(const FieldTables& tables, const Tile<kChannels>& tile, V
   const hn::Rebind<float, decltype(d)> df;
   const auto half = hn::Set(df, static_cast<float>(kHalf));
   for (size_t i = 0; i < static_cast<size_t>(tables.padded()); i += hn::Lanes(d)) {
-    auto spread = hn::Zero(df);
+    auto spread = hn::Zero(df), turn = hn::Zero(df);
     for (size_t c = 0; c < kChannels; ++c) {
       const int channel = tile.channels[c];
       const auto relative = [&](const double* array, double base) {
@@ -166,9 +167,11 @@ void measure_from_base(const FieldTables& tables, const Tile<kChannels>& tile, V
       hn::StoreU(at, df, &view.at[c][i]);
       hn::StoreU(slope_x, df, &view.slope_x[c][i]);
       hn::StoreU(slope_y, df, &view.slope_y[c][i]);
-      const auto slopes = hn::Add(hn::Abs(slope_x), hn::Abs(slope_y));
-      spread = hn::Max(spread, hn::MulAdd(half, slopes, hn::Abs(at)));
+      const auto slopes = hn::Mul(half, hn::Add(hn::Abs(slope_x), hn::Abs(slope_y)));
+      spread = hn::Max(spread, hn::Add(slopes, hn::Abs(at)));
+      turn = hn::Max(turn, slopes);
     }
+    hn::StoreU(turn, df, &view.turn[i]);
     hn::StoreU(spread, df, &view.spread[i]);
   }
 }

@@ -209,10 +209,11 @@ int threads() {
 void detail::run_rows(int height, int grain, RowsFunction function, const void* context) {
   if (grain < 1) throw std::invalid_argument("for_rows: grain " + std::to_string(grain) + ", must be at least 1");
   if (height <= 0) return;
-  const int bands = (height - 1) / grain + 1;
+  const bool one_is_left = grain > 1 && height > grain && height % grain == 1;
+  const int bands = (height - 1) / grain + (one_is_left ? 0 : 1);
   const auto run_band = [&](int band) {
     const int begin = band * grain;
-    function(context, begin, begin + std::min(grain, height - begin));
+    function(context, begin, band == bands - 1 ? height : begin + grain);
   };
   if (bands == 1 || threads() == 1) {
     for (int band = 0; band < bands; ++band) run_band(band);

@@ -21,9 +21,9 @@ void run_rows(int height, int grain, RowsFunction function, const void* context)
 }  // namespace detail
 
 /// Calls `fn(begin, end)` for consecutive bands of rows that cover [0, height). The bands depend on height and grain
-/// only, never on the number of threads. `fn` must be safe to call from several threads at once.
-/// An exception of `fn` stops the bands not yet begun and is rethrown. May be called from within itself and from the
-/// stages of run_pipeline.
+/// only, never on the number of threads; a last row that would be alone joins the band before it, so that every row has
+/// a neighbour in its band. `fn` must be safe to call from several threads at once. An exception of `fn` stops the
+/// bands not yet begun and is rethrown. May be called from within itself and from the stages of run_pipeline.
 /// @param grain  rows per band, at least 1.
 /// @throws std::invalid_argument if grain is below 1.
 template <typename Fn>

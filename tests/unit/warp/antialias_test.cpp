@@ -234,6 +234,22 @@ TEST(AntialiasMaps, APositionThatIsNoneDoesNotSpoilItsNeighbours) {
   }
 }
 
+/// A row that was a band of its own would know nothing of what happens across it.
+TEST(AntialiasMaps, TheLastRowIsLikeTheOthersWhateverTheHeight) {
+  CaseMaker make(3);
+  const Image source = make.image({64, 256});
+  Map map(kSampleBand + 9, 40);
+  for (int y = 0; y < map.rows; ++y) {
+    for (int x = 0; x < map.cols; ++x) map(y, x) = {10 + static_cast<float>(x), 20 + 3.5F * static_cast<float>(y)};
+  }
+  const Image all = sample(source, map, {});
+  for (int height = 2; height < map.rows; ++height) {
+    const Image some = sample(source, map.rowRange(0, height), {});
+    for (int x = 0; x < map.cols; ++x)
+      EXPECT_LE(cv::norm(cv::Vec4f(some(height - 1, x)) - cv::Vec4f(all(height - 1, x))), 1e-5) << height << ' ' << x;
+  }
+}
+
 TEST(AntialiasMaps, ThreadsDontMatter) {
   constexpr unsigned kSeed = 11;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);

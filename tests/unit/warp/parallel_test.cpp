@@ -74,7 +74,7 @@ TEST_P(Parallel, NoMoreThreadsThanAllowed) {
 }
 
 TEST_P(Parallel, EveryRowOnceInBandsOfTheGrain) {
-  for (const int height : {0, 1, 7, 8, 9, 67, 1080}) {
+  for (const int height : {0, 1, 2, 7, 8, 9, 65, 67, 1080}) {
     for (const int grain : {1, 8, 64, 5000}) {
       SCOPED_TRACE(testing::Message() << "height " << height << ", grain " << grain);
       std::vector<std::atomic<int>> visits(static_cast<std::size_t>(height));
@@ -91,6 +91,11 @@ TEST_P(Parallel, EveryRowOnceInBandsOfTheGrain) {
       EXPECT_TRUE(std::ranges::all_of(visits, [](int n) { return n == 1; }));
       Bands expected;
       for (int y = 0; y < height; y += grain) expected.emplace_back(y, std::min(y + grain, height));
+      const bool alone = grain > 1 && expected.size() > 1 && expected.back().second - expected.back().first == 1;
+      if (alone) {
+        expected.pop_back();
+        expected.back().second = height;
+      }
       std::ranges::sort(bands);
       EXPECT_EQ(bands, expected);
     }
