@@ -57,10 +57,8 @@ inline constexpr int kFieldTile = 32;
 class LineField {
  public:
   /// @param lines    finite coordinates within 1e9 px of the origin; values within the range of a float; every line has
-  /// `targets` targets; a line that is a point in the output is a
-  ///                 point in all targets and the other way round (in-between lines of valid pairs keep this, except a
-  ///                 line that turns through length 0 on its way, which then acts as a point at its place:
-  ///                 it displaces by what its midpoint moves).
+  ///                 `targets` targets. A line that is a point in the output or in a target, as one is that turns
+  ///                 through length 0 on its way, displaces by what its midpoint moves.
   /// @param targets  number of targets, >= 1.
   /// @throws std::invalid_argument on a broken contract, naming the line.
   LineField(std::span<const FieldLine> lines, int targets);

@@ -32,7 +32,7 @@ class Morpher {
   /// what is out of order in a mesh is squashed, as in the frame.
   virtual warp::Map map(double t, SideName side) const = 0;
 
-  /// Memory that `frame` takes beside its result.
+  /// Memory that `frame` takes beside its result and a few rows for every thread.
   virtual std::size_t scratch_bytes() const = 0;
 
   /// What does the work, in a few words for --verbose.

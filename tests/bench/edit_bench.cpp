@@ -95,7 +95,9 @@ class Player {
   void report(const char* what) {
     std::vector<double> sorted = times_;
     std::sort(sorted.begin(), sorted.end());
-    const auto at = [&](double share) { return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))]; };
+    const auto at = [&](double share) {
+      return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    };
     std::printf("%-34s %4zu events   median %6.1f ms   95 %% %6.1f ms   worst %6.1f ms\n", what, sorted.size(), at(0.5),
                 at(0.95), at(1));
     times_.clear();

@@ -95,7 +95,8 @@ inline FieldCase FieldCaseMaker::ordinary(int width, int height, int lines, int 
 }
 
 inline LineWeight FieldCaseMaker::weight() {
-  return {pick({0.0, 0.01, 1.0, 10.0, 100.0}), pick({0.0, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0, uniform(0.5, 4), uniform(0, 8)}),
+  return {pick({0.0, 0.01, 1.0, 10.0, 100.0}),
+          pick({0.0, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0, uniform(0.5, 4), uniform(0, 8)}),
           pick({0.0, 0.2, 1.0, uniform(0, 1)})};
 }
 
