@@ -43,6 +43,7 @@ std::span<const KeyRow> KeyRow::all() {
       {{}, {"Mark", "drag", "a line; a click places a point of the others"}, nullptr},
       {{kKeyEnter}, {"Mark", "Enter, double-click", "end a curve; click its first point to close it"},
        [](G& g, int) { return done([&] { g.end_curve(false); }); }},
+      {{}, {"Mark", "Ctrl + drag", "held: draw, even where a mark could be dragged"}, nullptr},
       {{}, {"Mark", "Alt", "held: do not snap"}, nullptr},
       {{'c'}, {"Mark", "c", "mesh: add a column at the mouse"}, [](G& g, int) { return done([&] { g.add_to_mesh(true); }); }},
       {{'r'}, {"Mark", "r", "mesh: add a row at the mouse"}, [](G& g, int) { return done([&] { g.add_to_mesh(false); }); }},
@@ -204,7 +205,7 @@ void Gestures::end_curve(bool closed) {
   model_.snapped.reset();
   const int feature = model_.document.add_curve(sketch.side, sketch.points, closed);
   if (feature < 0) return say("too few points for a curve");
-  say(fmt::format("{}: put its partner right", model_.document.project().features.back().id));
+  tell_of_new();
 }
 
 void Gestures::erase() {

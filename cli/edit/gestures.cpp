@@ -20,8 +20,8 @@ double length(cv::Point2d d) {
   return std::hypot(d.x, d.y);
 }
 
-bool toggles(const Mouse& mouse) {
-  return mouse.shift || mouse.ctrl;
+bool draws(Tool tool) {
+  return tool == Tool::kLine || tool == Tool::kPoint || tool == Tool::kCurve;
 }
 
 /// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.
@@ -82,6 +82,7 @@ std::optional<Wish> Gestures::mouse(const Mouse& mouse) {
 std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
   if (drag_ != Drag::kNothing) release(mouse);  // its release was lost
   pressed_ = mouse.position;
+  dragged_ = false;
   const bool left = mouse.button == Mouse::Button::kLeft;
   if (model_.help && !model_.question) {
     model_.help = false;
@@ -112,6 +113,7 @@ std::optional<Wish> Gestures::press_widget(const Widget& widget, cv::Point posit
   if (!widget.enabled) return std::nullopt;
   if (widget.action == Action::kSave) return Wish::kSave;
   if (widget.slider) {
+    if (!slider_grip(widget, layout_.scale).contains(position)) return std::nullopt;
     slider_ = widget;
     drag_ = Drag::kSlider;
     if (widget.action == Action::kTune) begin_step();
@@ -124,7 +126,8 @@ std::optional<Wish> Gestures::press_widget(const Widget& widget, cv::Point posit
 
 void Gestures::press_picture(const Mouse& mouse, bool again) {
   if (model_.tool == Tool::kCurve && (model_.sketch || again)) return press_curve(mouse, again);
-  if (const auto handle = handle_at(model_, layout_, mouse.position)) return press_handle(*handle, mouse);
+  const auto handle = handle_at(model_, layout_, mouse.position);
+  if (handle && !(mouse.ctrl && draws(model_.tool))) return press_handle(*handle, mouse);
   if (again) return fit();
   press_blank(mouse);
 }
@@ -134,7 +137,7 @@ void Gestures::press_handle(const Handle& handle, const Mouse& mouse) {
   Selection selection = model_.document.selection();
   std::vector<int>& items = vertex ? selection.vertices : selection.features;
   const int item = vertex ? handle.vertex : handle.feature;
-  if (toggles(mouse)) {
+  if (mouse.shift || mouse.ctrl) {
     items = toggled(std::move(items), item);
     return select(std::move(selection));
   }
@@ -143,11 +146,14 @@ void Gestures::press_handle(const Handle& handle, const Mouse& mouse) {
   drag_ = vertex ? Drag::kVertices : handle.point >= 0 ? Drag::kPoint : Drag::kFeatures;
   from_ = position_of(model_.document, handle);
   begin_step();
+  if (!vertex || model_.document.method() == project::Method::kMesh) return;
+  say("the lines warp: \"Warp: lines\" below lets the mesh do it");
 }
 
 void Gestures::press_blank(const Mouse& mouse) {
   const SideName side = side_of(pane_);
   Document& document = model_.document;
+  model_.switches.features = true;
   if (model_.tool == Tool::kMesh && !document.has_mesh()) {
     document.begin();
     document.make_mesh(kFirstMesh, kFirstMesh);
@@ -173,7 +179,7 @@ void Gestures::press_blank(const Mouse& mouse) {
     model_.held = Handle{side, feature, 0, -1};
     from_ = at;
     drag_ = Drag::kPoint;
-    return say(fmt::format("{}: put its partner right", document.project().features.back().id));
+    return tell_of_new();
   }
   drag_ = Drag::kLine;
   model_.sketch = Sketch{Tool::kLine, side, {at, at}, at};
@@ -199,6 +205,9 @@ void Gestures::drag_to(const Mouse& mouse) {
     return;
   }
   if (drag_ == Drag::kNothing) return;
+  // A hand that trembles while it clicks moves nothing.
+  dragged_ = dragged_ || length(mouse.position - pressed_) >= kClickPx * layout_.scale;
+  if (!dragged_) return;
   const cv::Point2d now = content_at(mouse.position);
   switch (drag_) {
     case Drag::kPoint:
@@ -220,11 +229,7 @@ void Gestures::drag_held(const Mouse& mouse, cv::Point2d by) {
   const SideName side = side_of(pane_);
   Document& document = model_.document;
   if (drag_ == Drag::kPoint) {
-    // A hand that trembles while it selects is not to be snapped.
-    const bool far = length(mouse.position - pressed_) >= kClickPx * layout_.scale;
-    const cv::Point2d to = far                   ? snapped(from_ + by, mouse, model_.held->feature)
-                           : by == cv::Point2d() ? from_
-                                                 : rounded(from_ + by, model_.view(pane_).zoom);
+    const cv::Point2d to = by == cv::Point2d() ? from_ : snapped(from_ + by, mouse, model_.held->feature);
     document.move_point(model_.held->feature, side, model_.held->point, to);
     return;
   }
@@ -232,6 +237,7 @@ void Gestures::drag_held(const Mouse& mouse, cv::Point2d by) {
   // From where all was at the press: what a border has held back is under the hand again when that comes back.
   document.cancel();
   document.begin();
+  if (by == cv::Point2d()) return;
   if (drag_ == Drag::kVertices) {
     document.move_vertices(std::vector<int>(document.selection().vertices), side, by);
   } else {
@@ -251,6 +257,9 @@ void Gestures::release(const Mouse& mouse) {
     case Drag::kPoint:
     case Drag::kFeatures:
     case Drag::kVertices:
+      end_step();
+      if (!dragged_) select_alone();
+      break;
     case Drag::kSlider:
       end_step();
       break;
@@ -260,13 +269,29 @@ void Gestures::release(const Mouse& mouse) {
   if (drag != Drag::kNothing) model_.snapped.reset();
 }
 
+void Gestures::select_alone() {
+  const Handle held = *model_.held;
+  const bool vertex = held.vertex >= 0;
+  const Selection& selection = model_.document.selection();
+  if ((vertex ? selection.vertices : selection.features).size() < 2) return;
+  select(vertex ? Selection{{}, {held.vertex}} : Selection{{held.feature}, {}});
+  model_.held = held;
+}
+
+void Gestures::tell_of_new() {
+  const bool idle = model_.document.method() == project::Method::kMesh;
+  say(fmt::format(
+      "{}: {}", model_.document.project().features.back().id,
+      idle ? "does nothing while the mesh warps; \"Warp: mesh\" below changes that" : "put its partner right"));
+}
+
 void Gestures::end_line(cv::Point position) {
   const Sketch sketch = *std::exchange(model_.sketch, std::nullopt);
   if (length(position - pressed_) < kClickPx * layout_.scale) return select({});
   const int feature = model_.document.add_line(sketch.side, sketch.points[0], sketch.points[1]);
   if (feature < 0) return;
   model_.held = Handle{other(sketch.side), feature, 1, -1};
-  say(fmt::format("{}: put its partner right", model_.document.project().features.back().id));
+  tell_of_new();
 }
 
 void Gestures::end_band() {

@@ -74,6 +74,8 @@ class Gestures {
   void drag_to(const Mouse& mouse);
   void drag_held(const Mouse& mouse, cv::Point2d by);  ///< `by`: since the press, px of the picture
   void release(const Mouse& mouse);
+  void select_alone();  ///< what is held: a click on one of several
+  void tell_of_new();   ///< the last feature
   void end_line(cv::Point position);
   void end_band();
   void wheel(const Mouse& mouse);
@@ -122,6 +124,7 @@ class Gestures {
   cv::Point2d began_;          ///< content px of the press
   cv::Point2d from_;           ///< where the point that is held was at the press, px of the picture
   Widget slider_;
+  bool dragged_ = false;  ///< the mouse has gone further since the press than a click may
   bool adding_ = false;   ///< a rubber band adds to the selection
   bool capital_ = false;  ///< Shift came before the next letter of an entry
   double direction_ = 1;  ///< of playing

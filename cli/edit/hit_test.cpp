@@ -92,7 +92,7 @@ std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName si
 
 std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas) {
   const std::optional<Pane> pane = layout.pane_at(canvas);
-  if (!pane || *pane == Pane::kResult) return std::nullopt;
+  if (!pane || *pane == Pane::kResult || !model.switches.features) return std::nullopt;
   const SideName side = side_of(*pane);
   const cv::Point2d at = to_content(model, layout, *pane, canvas);
   const double px = layout.scale / model.view(*pane).zoom;

@@ -30,7 +30,8 @@ cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::P
 std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName side);
 
 /// What a press at a canvas position would hold: the nearest point within kHandleReach, else the nearest feature within
-/// kBodyReach. With the mesh tool the vertices are what can be held, with the others the features.
+/// kBodyReach. With the mesh tool the vertices are what can be held, with the others the features;
+/// what is not shown cannot be held.
 std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas);
 
 /// Where the point that a handle names is, px of the picture; of a whole feature its first one.

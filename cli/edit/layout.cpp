@@ -247,4 +247,10 @@ cv::Rect slider_track(const Widget& widget, double scale) {
           std::max(1, widget.rect.width - left - right), height};
 }
 
+cv::Rect slider_grip(const Widget& widget, double scale) {
+  const cv::Rect track = slider_track(widget, scale);
+  const int knob = static_cast<int>(std::lround(8 * scale));
+  return cv::Rect(track.x - knob, widget.rect.y, track.width + 2 * knob, widget.rect.height) & widget.rect;
+}
+
 }  // namespace morphkit::edit

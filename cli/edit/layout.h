@@ -91,4 +91,7 @@ double slider_from_tuning(int tuning, double value);
 /// The part of a slider's rectangle along which its knob moves: its left edge is 0, its right edge 1.
 cv::Rect slider_track(const Widget& widget, double scale);
 
+/// Where a press takes hold of the knob: along the track and as high as the slider.
+cv::Rect slider_grip(const Widget& widget, double scale);
+
 }  // namespace morphkit::edit

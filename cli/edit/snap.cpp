@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cli/edit/marks.h"
+
 namespace morphkit::edit {
 namespace {
 
@@ -73,9 +75,11 @@ double usual_strength(const cv::Mat3b& picture, const cv::Rect& window) {
 
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom) {
   const cv::Mat3b& level = picture.display(zoom);
-  const double shrink = static_cast<double>(level.cols) / picture.size().width;
-  const cv::Point2d centre = position * shrink;
-  const double reach = radius * shrink;
+  // Of each axis: the sizes of levels are rounded.
+  const cv::Point2d shrink(static_cast<double>(level.cols) / picture.size().width,
+                           static_cast<double>(level.rows) / picture.size().height);
+  const cv::Point2d centre(position.x * shrink.x, position.y * shrink.y);
+  const double reach = radius * std::min(shrink.x, shrink.y);
   // Magnified, the reach is a fraction of a pixel: what is usual around it is asked of more.
   const cv::Rect window = around(centre, std::max(reach, kLeastWindow), level.size());
   if (window.empty()) return std::nullopt;
@@ -93,7 +97,7 @@ std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d po
       const double likely = here * (1 - 0.5 * distance / reach);
       if (distance > reach || likely <= best) continue;
       best = likely;
-      found = at / shrink;
+      found = cv::Point2d(at.x / shrink.x, at.y / shrink.y);
     }
   return found;
 }
@@ -105,7 +109,7 @@ std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, 
   const auto& features = document.project().features;
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (static_cast<int>(i) == except) continue;
-    for (const cv::Point2d& point : side == SideName::kSource ? features[i].source : features[i].destination) {
+    for (const cv::Point2d& point : points_of(features[i], side)) {
       const double distance = std::hypot(point.x - position.x, point.y - position.y);
       if (distance > least) continue;
       least = distance;

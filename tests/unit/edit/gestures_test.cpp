@@ -90,16 +90,104 @@ TEST_F(GestureSession, EndsComeBeforeBodiesAndTheNearestWinsInEveryTool) {
 TEST_F(GestureSession, AClickMovesNothingEvenIfTheHandTrembles) {
   mark_three_lines();
   edges = [](SideName, cv::Point2d position) { return position + cv::Point2d(5, 5); };
-  press(kSource, {297, 152});
-  move(kSource, {297, 152});
-  release();
-  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
-  press(kSource, {297, 152});
-  move(kSource, {298, 152});
-  EXPECT_EQ(features()[1].source[1], cv::Point2d(301, 150)) << "by as much as the hand, not to an edge";
-  move(kSource, {297, 152});
-  release();
+  for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {  // an end, and a whole
+    press(kSource, start);
+    move(kSource, start + cv::Point2d(2, -2));
+    move(kSource, start + cv::Point2d(3, 1));
+    release();
+    EXPECT_EQ(features()[1].source, (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
+    EXPECT_EQ(selected(), Indices{1});
+  }
   EXPECT_EQ(steps_back(), 3);
+}
+
+TEST_F(GestureSession, ADragThatComesBackChangesNothing) {
+  mark_three_lines();
+  key('a');
+  model.document.move_selected(kSource, {1.0 / 3, 0});
+  const std::vector<cv::Point2d> before = features()[1].source;
+  for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {
+    press(kSource, start);
+    move(kSource, start + cv::Point2d(20, 0));
+    EXPECT_NE(features()[1].source, before);
+    move(kSource, start + cv::Point2d(1, 0));
+    EXPECT_NE(features()[1].source, before) << "a drag goes on as finely as the hand";
+    move(kSource, start);
+    EXPECT_EQ(features()[1].source, before);
+    release();
+  }
+  EXPECT_EQ(steps_back(), 3 + 1);
+}
+
+TEST_F(GestureSession, AClickOnOneOfSeveralSelectsItAlone) {
+  mark_three_lines();
+  key('a');
+  click(kSource, {200, 150});
+  EXPECT_EQ(selected(), Indices{1});
+  EXPECT_EQ(model.held, (Handle{kSource, 1, -1, -1}));
+  key('a');
+  drag(kSource, {200, 150}, {200, 160});
+  EXPECT_EQ(selected(), (Indices{0, 1, 2})) << "a drag moves them all";
+  key('5');
+  click(kSource, {30, 30});
+  key('a');
+  click(kSource, {200, 150});
+  EXPECT_EQ(document().selection().vertices, Indices{12});
+}
+
+TEST_F(GestureSession, CtrlDrawsWhereAMarkCouldBeDragged) {
+  mark_three_lines();
+  keys.ctrl = true;
+  drag(kSource, {297, 152}, {350, 220});
+  ASSERT_EQ(features().size(), 4U);
+  EXPECT_EQ(features()[3].source, (std::vector<cv::Point2d>{{300, 150}, {350, 220}})) << "from the end under it";
+  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
+  key('3');
+  click(kSource, {200, 250});
+  EXPECT_EQ(features().size(), 5U);
+  key('1');
+  click(kSource, {200, 250});
+  EXPECT_EQ(features().size(), 5U) << "elsewhere it selects";
+}
+
+TEST_F(GestureSession, HiddenMarksAreNotHeldAndDrawingShowsThem) {
+  mark_three_lines();
+  key('m');
+  move(kSource, {300, 150});
+  EXPECT_FALSE(model.hover);
+  drag(kSource, {305, 150}, {350, 220});
+  EXPECT_EQ(features().size(), 4U);
+  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
+  EXPECT_TRUE(model.switches.features);
+}
+
+TEST_F(GestureSession, AMarkThatDoesNothingSaysSo) {
+  drag(kSource, {100, 50}, {300, 50});
+  EXPECT_NE(model.message.find("put its partner right"), std::string::npos) << model.message;
+  key('5');
+  click(kSource, {30, 80});
+  ASSERT_EQ(document().method(), project::Method::kMesh);
+  for (const char tool : {'2', '3', '4'}) {
+    key(tool);
+    drag(kSource, {110.0 + tool, 180}, {300, 230});
+    click(kSource, {120.0 + tool, 280});
+    key(kKeyEnter);
+    EXPECT_NE(model.message.find("does nothing while the mesh warps"), std::string::npos) << model.message;
+  }
+  click(Action::kMethod);
+  key('5');
+  press(kSource, {200, 150});
+  EXPECT_NE(model.message.find("the lines warp"), std::string::npos) << model.message;
+}
+
+TEST_F(GestureSession, SlidersAreTakenByTheirTracksOnly) {
+  const cv::Rect slider = widget(Action::kTune, 0).rect;
+  for (const int x : {slider.x + 3, slider.br().x - 3}) {  // its letter, its value
+    drag({x, slider.y + slider.height / 2}, {slider.x + slider.width / 2, slider.y + slider.height / 2});
+    EXPECT_EQ(steps_back(), 0);
+  }
+  drag(on_slider(Action::kTune, 0, 0), on_slider(Action::kTune, 0, 0.5));
+  EXPECT_NEAR(document().tuning(Tuning::kA), 25, 1);
 }
 
 TEST_F(GestureSession, TheBodyDragsTheFeatureAndAllThatAreSelectedWithIt) {

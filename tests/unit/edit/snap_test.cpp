@@ -39,6 +39,14 @@ TEST(StrongestEdge, IsFoundWhereItIsAtEveryZoom) {
     }
 }
 
+TEST(StrongestEdge, IsFoundOnPicturesWhoseSizesDoNotHalve) {
+  // Half of 101 rows is 51: rows shrink by another factor than columns.
+  const Pyramid picture = painted([](cv::Point at) { return at.y < 90 ? 0.05f : 0.7f; }, {4000, 101});
+  const auto found = strongest_edge(picture, {2000, 90}, 8, 0.25);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->y, 90, 1);
+}
+
 TEST(StrongestEdge, LiesWithinTheRadius) {
   const Pyramid picture(test::random_image(kSize, 3));
   const Pyramid edge = upright_edge();
