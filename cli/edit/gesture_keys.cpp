@@ -43,7 +43,7 @@ std::span<const KeyRow> KeyRow::all() {
       {{}, {"Mark", "drag", "a line; a click places a point of the others"}, nullptr},
       {{kKeyEnter}, {"Mark", "Enter, double-click", "end a curve; click its first point to close it"},
        [](G& g, int) { return done([&] { g.end_curve(false); }); }},
-      {{}, {"Mark", "Ctrl + drag", "held: draw, even where a mark could be dragged"}, nullptr},
+      {{}, {"Mark", "Ctrl + drag", "draw, even over a mark that could be dragged"}, nullptr},
       {{}, {"Mark", "Alt", "held: do not snap"}, nullptr},
       {{'c'}, {"Mark", "c", "mesh: add a column at the mouse"}, [](G& g, int) { return done([&] { g.add_to_mesh(true); }); }},
       {{'r'}, {"Mark", "r", "mesh: add a row at the mouse"}, [](G& g, int) { return done([&] { g.add_to_mesh(false); }); }},

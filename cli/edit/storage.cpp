@@ -150,7 +150,7 @@ fs::path Storage::rescue(const project::Project& project) {
     return autosave_file();
   } catch (const Error&) {
     std::error_code error;
-    const fs::path elsewhere = fs::temp_directory_path(error) / autosave_file().filename();
+    fs::path elsewhere = fs::temp_directory_path(error) / autosave_file().filename();
     write_text(elsewhere, text);
     return elsewhere;
   }
