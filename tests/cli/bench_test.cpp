@@ -5,14 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/cli/run_program.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 RunResult bench(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"bench", "--size", "64x48"});

@@ -10,6 +10,7 @@
 #include "cli/program.h"
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 #include "warp/color.h"
 
@@ -17,10 +18,6 @@ namespace morphkit::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 warp::Image gradient(cv::Size size) {
   warp::Image image(size);

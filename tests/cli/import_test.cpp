@@ -7,6 +7,7 @@
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 #include "tests/cli/run_program.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::test {
@@ -16,10 +17,6 @@ namespace fs = std::filesystem;
 
 /// 3 x 2 vertices on a picture of 41 x 31 pixels.
 constexpr const char* kMesh = "M2\n3 2\n0 0 0\n150 0 0\n400 0 0\n0 300 0\n200 300 0\n400 300 0\n";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Two pictures of different size in a folder of their own, two meshes beside it, and the program run from there.
 class Import : public testing::Test {

@@ -12,6 +12,7 @@
 
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 #include "warp/compare.h"
 
@@ -19,10 +20,6 @@ namespace morphkit::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A folder with two pictures of different size and a project, 12 frames of 64x48.
 class Morph : public testing::Test {

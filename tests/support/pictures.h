@@ -65,6 +65,15 @@ inline project::Project small_project() {
   return project;
 }
 
+/// (1 - share) a + share b, in every channel.
+inline warp::Image dissolved(const warp::Image& a, const warp::Image& b, float share) {
+  warp::Image result(a.size());
+  for (int y = 0; y < a.rows; ++y)
+    for (int x = 0; x < a.cols; ++x)
+      for (int c = 0; c < 4; ++c) result(y, x)[c] = (1 - share) * a(y, x)[c] + share * b(y, x)[c];
+  return result;
+}
+
 /// Same size and the same bits in every channel; prints the first difference.
 inline ::testing::AssertionResult same_bits(const warp::Image& a, const warp::Image& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " against " << b.size();

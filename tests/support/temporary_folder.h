@@ -1,7 +1,8 @@
 #pragma once
-// A folder of one test's own, gone when the test is over.
+// A folder of one test's own, gone when the test is over, and what lies in files.
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -48,6 +49,17 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
 }
 
 inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+using Bytes = std::vector<std::uint8_t>;
+
+inline void write_bytes(const std::filesystem::path& file, const Bytes& bytes) {
+  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+}
+
+inline Bytes read_bytes(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -1,9 +1,6 @@
 // Files that appear whole or not at all.
 
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -11,44 +8,20 @@
 
 #include "morph/atomic_file.h"
 #include "morph/error.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<std::uint8_t>;
-
-void put(const fs::path& file, const Bytes& bytes) {
-  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
-}
-
-Bytes bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-template <typename Action>
-Error error_of(Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {ErrorCode::kFailed, "", "nothing was refused"};
-}
 
 TEST(AtomicFile, IsWholeOrNotThere) {
   const TemporaryFolder folder;
   const fs::path file = folder / "a.txt";
   {
     AtomicFile given_up(file, false);
-    put(given_up.temporary(), {1, 2, 3});
+    write_bytes(given_up.temporary(), {1, 2, 3});
     EXPECT_FALSE(fs::exists(file));
   }
   EXPECT_EQ(folder.names().size(), 0U);
@@ -58,7 +31,7 @@ TEST(AtomicFile, IsWholeOrNotThere) {
   EXPECT_EQ(kept.temporary().filename().string().front(), '.');
   kept.write(Bytes{1, 2, 3});
   kept.commit();
-  EXPECT_EQ(bytes_of(file), (Bytes{1, 2, 3}));
+  EXPECT_EQ(read_bytes(file), (Bytes{1, 2, 3}));
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
@@ -75,19 +48,19 @@ TEST(AtomicFile, WhatAppearsMeanwhileIsLeftAlone) {
   const TemporaryFolder folder;
   AtomicFile file(folder / "a.txt", false);
   file.write(Bytes{1});
-  put(folder / "a.txt", {9});
+  write_bytes(folder / "a.txt", {9});
   EXPECT_TRUE(contains(error_of([&] { file.commit(); }).what(), "already exists"));
-  EXPECT_EQ(bytes_of(folder / "a.txt"), Bytes{9});
+  EXPECT_EQ(read_bytes(folder / "a.txt"), Bytes{9});
 }
 
 TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
   const TemporaryFolder folder;
-  put(folder / "real.txt", {9});
+  write_bytes(folder / "real.txt", {9});
   fs::permissions(folder / "real.txt", fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("real.txt", folder / "link.txt");
   write_file(folder / "link.txt", Bytes{1, 2}, true);
   EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
-  EXPECT_EQ(bytes_of(folder / "real.txt"), (Bytes{1, 2}));
+  EXPECT_EQ(read_bytes(folder / "real.txt"), (Bytes{1, 2}));
   EXPECT_EQ(fs::status(folder / "real.txt").permissions(), fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(error_of([] { write_file("/dev/null", Bytes{1}, true); }).code(), ErrorCode::kIo);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -95,14 +68,14 @@ TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
 
 TEST(AtomicFile, AReadOnlyFileIsReplacedByOne) {
   const TemporaryFolder folder;
-  put(folder / "a.txt", {9});
+  write_bytes(folder / "a.txt", {9});
   fs::permissions(folder / "a.txt", fs::perms::owner_read);
   AtomicFile file(folder / "a.txt", true);
   const fs::perms meanwhile = fs::status(file.temporary()).permissions();
   EXPECT_EQ(meanwhile, fs::perms::owner_read | fs::perms::owner_write) << "others see nothing before the time";
   file.write(Bytes{1, 2});
   file.commit();
-  EXPECT_EQ(bytes_of(folder / "a.txt"), (Bytes{1, 2}));
+  EXPECT_EQ(read_bytes(folder / "a.txt"), (Bytes{1, 2}));
   EXPECT_EQ(fs::status(folder / "a.txt").permissions(), fs::perms::owner_read);
 }
 
@@ -116,7 +89,7 @@ TEST(AtomicFile, WhatCannotBeAFileNamesWhatIsWrong) {
   };
   refused(folder.path(), "is a folder");
   refused(folder / "missing" / "a.txt", "does not exist; create it first");
-  put(folder / "plain", {1});
+  write_bytes(folder / "plain", {1});
   refused(folder / "plain" / "a.txt", "");
   EXPECT_EQ(folder.names().size(), 1U);
 }
@@ -125,7 +98,7 @@ TEST(AtomicFile, LongNamesHaveTemporaryNames) {
   const TemporaryFolder folder;
   const fs::path file = folder / (std::string(250, 'x') + ".txt");
   write_file(file, Bytes{1}, false);
-  EXPECT_EQ(bytes_of(file), Bytes{1});
+  EXPECT_EQ(read_bytes(file), Bytes{1});
 }
 
 }  // namespace

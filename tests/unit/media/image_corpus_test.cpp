@@ -15,11 +15,11 @@ TEST(ImageCorpus, EveryFileIsReadOrRefused) {
   int refused = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(MORPHKIT_FUZZ_CORPUS) / "fuzz_image")) {
     SCOPED_TRACE(entry.path());
-    const Bytes bytes = bytes_of(entry.path());
+    const Bytes bytes = read_bytes(entry.path());
     ASSERT_FALSE(bytes.empty());
     // As in fuzz_image.cpp: the first byte chooses the extension.
     const fs::path file = folder / (bytes[0] % 2 == 0 ? "input.png" : "input.tga");
-    put(file, Bytes(bytes.begin() + 1, bytes.end()));
+    write_bytes(file, Bytes(bytes.begin() + 1, bytes.end()));
     const bool is_good = entry.path().filename().string().starts_with("good");
     try {
       const Picture picture = read_picture(file);

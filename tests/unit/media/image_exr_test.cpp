@@ -62,7 +62,7 @@ class Header {
 void expect_refused(const Header& header, const std::string& part) {
   SCOPED_TRACE(part);
   const Folder folder;
-  put(folder / "a.exr", header.bytes());
+  write_bytes(folder / "a.exr", header.bytes());
   for (const bool alone : {true, false}) {
     const Error error = error_of([&] {
       if (alone) {
@@ -134,13 +134,13 @@ TEST(ExrHeader, TheNextPartsAreLookedAtToo) {
 TEST(ExrHeader, CutShortAnywhere) {
   const Bytes whole = encode_image("a.exr", random_image(9, 7, true, 1));
   const Folder folder;
-  put(folder / "a.exr", whole);
+  write_bytes(folder / "a.exr", whole);
   EXPECT_NO_THROW(check_exr(folder / "a.exr"));
   constexpr std::string_view kLast = "screenWindowWidth";  // attributes are sorted by name
   const auto last = std::search(whole.begin(), whole.end(), kLast.begin(), kLast.end());
   ASSERT_NE(last, whole.end());
   for (auto end = whole.begin() + 1; end != last; ++end) {
-    put(folder / "cut.exr", Bytes(whole.begin(), end));
+    write_bytes(folder / "cut.exr", Bytes(whole.begin(), end));
     EXPECT_EQ(error_of([&] { check_exr(folder / "cut.exr"); }).code(), ErrorCode::kBadInput);
   }
 }

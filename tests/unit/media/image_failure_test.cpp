@@ -32,12 +32,12 @@ TEST(ImageFailure, WhatIsNotAnImageFile) {
   expect_refused(folder / "missing.png", ErrorCode::kIo, "does not exist");
   fs::create_directory(folder / "folder.png");
   expect_refused(folder / "folder.png", ErrorCode::kIo, "is a folder");
-  put(folder / "empty.png", {});
+  write_bytes(folder / "empty.png", {});
   expect_refused(folder / "empty.png", ErrorCode::kBadInput, "is empty");
-  put(folder / "text.png", {'h', 'e', 'l', 'l', 'o'});
+  write_bytes(folder / "text.png", {'h', 'e', 'l', 'l', 'o'});
   expect_refused(folder / "text.png", ErrorCode::kBadInput, "not an image that morphkit can read");
   expect_refused(folder / "text.png", ErrorCode::kBadInput, "supported are PNG");
-  put(folder / "x.tga", {'h', 'e', 'l', 'l', 'o'});
+  write_bytes(folder / "x.tga", {'h', 'e', 'l', 'l', 'o'});
   expect_refused(folder / "x.tga", ErrorCode::kBadInput, "damaged");
   ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
   expect_refused(folder / "pipe.png", ErrorCode::kIo, "not a regular file");
@@ -71,7 +71,7 @@ TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
       size = std::max<std::size_t>(size, 13);
       SCOPED_TRACE(testing::Message() << extension << " " << size << " of " << whole.size());
       const fs::path file = folder / (std::string("cut").append(extension));
-      put(file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+      write_bytes(file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
       testing::internal::CaptureStderr();
       const Error error = error_of([&] { read_picture(file); });
       EXPECT_EQ(error.code(), ErrorCode::kBadInput) << error.what();
@@ -84,7 +84,7 @@ TEST(ImageFailure, DamagedPngIsToldByItsChunk) {
   const Folder folder;
   Bytes bytes = encode_image("a.png", random_image(20, 20, false, 3));
   bytes[bytes.size() / 2] ^= 0x10;
-  put(folder / "a.png", bytes);
+  write_bytes(folder / "a.png", bytes);
   expect_refused(folder / "a.png", ErrorCode::kBadInput, "chunk IDAT");
 }
 
@@ -112,18 +112,18 @@ Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
 
 TEST(ImageFailure, HostileSizesAreRefusedByTheHeader) {
   const Folder folder;
-  put(folder / "huge.png", png_of_size(100000, 100000));
+  write_bytes(folder / "huge.png", png_of_size(100000, 100000));
   expect_refused(folder / "huge.png", ErrorCode::kBadInput, "100000 x 100000");
   expect_refused(folder / "huge.png", ErrorCode::kBadInput, "65536");
-  put(folder / "many.png", png_of_size(65000, 65000));
+  write_bytes(folder / "many.png", png_of_size(65000, 65000));
   expect_refused(folder / "many.png", ErrorCode::kBadInput, "1073741824");
-  put(folder / "nothing.png", png_of_size(0, 5));
+  write_bytes(folder / "nothing.png", png_of_size(0, 5));
   expect_refused(folder / "nothing.png", ErrorCode::kBadInput, "has no pixels");
 }
 
 TEST(ImageFailure, ManyLinesPromisedAndNoneThereCostNothing) {
   const Folder folder;
-  put(folder / "empty.png", png_of_size(30000, 30000));
+  write_bytes(folder / "empty.png", png_of_size(30000, 30000));
   EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).code(), ErrorCode::kBadInput);
 }
 
@@ -136,7 +136,7 @@ Bytes psd_head(std::uint8_t colors, std::uint8_t resources) {
 TEST(ImageFailure, HeadersThatPromiseMoreThanThereIs) {
   const Folder folder;
   const auto refused = [&](const Bytes& bytes, const std::string& part) {
-    put(folder / "a", bytes);
+    write_bytes(folder / "a", bytes);
     expect_refused(folder / "a", ErrorCode::kBadInput, part);
   };
   refused({'G', 'I', 'F', '8', '9', 'a', 0x40, 0x9c, 0x30, 0x75, 0, 0, 0}, "40000 x 30000");
@@ -178,7 +178,7 @@ TEST(ImageFailure, WritingToWhereNothingCanBe) {
   refused(folder / "no/such/a.png", ErrorCode::kIo, "no/such does not exist");
   fs::create_directory(folder / "a.png");
   refused(folder / "a.png", ErrorCode::kIo, "is a folder");
-  put(folder / "file", {1});
+  write_bytes(folder / "file", {1});
   refused(folder / "file/a.png", ErrorCode::kIo, "file");
   write_image(folder / "there.png", image);
   refused(folder / "there.png", ErrorCode::kIo, "already exists; use --overwrite");

@@ -14,24 +14,18 @@
 
 #include "morph/error.h"
 #include "morph/media/image_file.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::media::test {
 
 namespace fs = std::filesystem;
-using Bytes = std::vector<std::uint8_t>;
-
+using morphkit::test::Bytes;
+using morphkit::test::contains;
+using morphkit::test::error_of;
+using morphkit::test::read_bytes;
+using morphkit::test::write_bytes;
 using Folder = morphkit::test::TemporaryFolder;
-
-inline Bytes bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return Bytes(std::istreambuf_iterator<char>(stream), {});
-}
-
-inline void put(const fs::path& file, const Bytes& bytes) {
-  std::ofstream(file, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
 
 /// Linear, premultiplied noise in [0, 1].
 inline warp::Image random_image(int width, int height, bool with_alpha, unsigned seed) {
@@ -58,22 +52,6 @@ inline double distance(const warp::Image& a, const warp::Image& b) {
     }
   }
   return largest;
-}
-
-/// Runs `action` and gives the Error that it throws; anything else fails the test.
-template <typename Action>
-Error error_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return Error(ErrorCode::kFailed, "", "");
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace morphkit::media::test

@@ -21,14 +21,16 @@
 
 #include "morph/error.h"
 #include "morph/media/frame_sink.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::media::test {
 
 namespace fs = std::filesystem;
 
-using Bytes = std::vector<std::uint8_t>;
-
+using morphkit::test::Bytes;
+using morphkit::test::error_of;
+using morphkit::test::read_bytes;
 using TempFolder = morphkit::test::TemporaryFolder;
 
 /// An environment variable set to something else for a while.
@@ -47,11 +49,6 @@ class Environment {
   const char* name_;
   std::string before_;
 };
-
-inline Bytes read_bytes(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// Standard output of a shell command; the test fails if the command does.
 inline Bytes output_of(const std::string& command) {
@@ -128,18 +125,6 @@ inline void write_all(FrameSink& sink, cv::Size size, int count, bool with_alpha
   for (int frame = 0; frame < count; ++frame)
     sink.write(frame, sink.encode(frame, moving_picture(size, frame, with_alpha)));
   sink.finish();
-}
-
-/// The error that `action` throws; the test fails if it throws none.
-template <typename Action>
-Error error_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no error";
-  return {ErrorCode::kFailed, "", ""};
 }
 
 /// Whether this process has any child, running or not reaped.

@@ -13,11 +13,14 @@
 #include "morph/project/import.h"
 #include "morph/project/import_xmorph.h"
 #include "morph/project/limits.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace morphkit::project {
 namespace {
 
+using test::contains;
+using test::error_of;
 using test::read_text;
 using test::TemporaryFolder;
 using test::write_text;
@@ -30,24 +33,9 @@ constexpr const char* kMesh =
     "0 240 0\n515 263 -1\n1000 260 0\n"
     "0 500 0\n500 500 0\n1000 500 0\n";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 warp::Mesh parsed(const std::string& text, cv::Size size, std::vector<std::string>* remarks = nullptr) {
   std::vector<std::string> ignored;
   return parse_xmorph_mesh(text, "a.mesh", size, remarks ? *remarks : ignored);
-}
-
-template <typename Action>
-Error error_of(Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {ErrorCode::kFailed, "", "nothing was refused"};
 }
 
 double largest_distance(const Points& a, const Points& b) {

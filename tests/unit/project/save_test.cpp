@@ -11,6 +11,7 @@
 
 #include "morph/error.h"
 #include "morph/project/project.h"
+#include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/project/documents.h"
 #include "tests/unit/project/random_project.h"
@@ -18,6 +19,7 @@
 namespace morphkit::project {
 namespace {
 
+using test::contains;
 using testing::RandomProject;
 using testing::with;
 using testing::with_output;
@@ -39,10 +41,6 @@ std::vector<std::size_t> changed_lines(const std::string& before, const std::str
     if (a[i] != b[i]) changed.push_back(i);
   }
   return changed;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(ToText, RandomProjectsReadBackEqual) {

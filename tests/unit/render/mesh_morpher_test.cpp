@@ -10,12 +10,16 @@
 #include "morph/error.h"
 #include "morph/render/check.h"
 #include "morph/render/renderer.h"
+#include "tests/support/errors.h"
 #include "tests/support/pictures.h"
 #include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
 
+using test::contains;
+using test::dissolved;
+using test::error_of;
 using test::pictures;
 using test::random_image;
 using test::same_bits;
@@ -43,18 +47,6 @@ project::Project mesh_project(cv::Size source = kSize, cv::Size destination = kS
   return project;
 }
 
-/// The message of the Error that `work` throws.
-template <typename Work>
-std::string error_of(const Work& work) {
-  try {
-    work();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
-    return error.what();
-  }
-  return "(no error)";
-}
-
 TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
   for (const bool with_alpha : {false, true})
     for (const auto order : {warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst})
@@ -76,12 +68,7 @@ TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {
   project.mesh->destination = project.mesh->source;
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.5, 0.9}) {
-    const auto alpha = static_cast<float>(t);
-    warp::Image expected(kSize);
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
-        for (int c = 0; c < 4; ++c) expected(y, x)[c] = (1 - alpha) * a(y, x)[c] + alpha * b(y, x)[c];
-    EXPECT_TRUE(same_bits(renderer.frame(t), expected));
+    EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
   }
 }
 
@@ -180,9 +167,9 @@ TEST(MeshMorpher, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
 TEST(MeshMorpher, ABorderVertexOffTheBorderIsNamed) {
   project::Project project = mesh_project();
   project.mesh->destination[3] = {48, 2};
-  const std::string error =
-      error_of([&] { Renderer(project, pictures(random_image(kSize, 15), random_image(kSize, 16))); });
-  EXPECT_NE(error.find("pair.json: /mesh/destination/3: the vertex in column 3, row 0"), std::string::npos) << error;
+  const Error error = error_of([&] { Renderer(project, pictures(random_image(kSize, 15), random_image(kSize, 16))); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_TRUE(contains(error.what(), "pair.json: /mesh/destination/3: the vertex in column 3, row 0")) << error.what();
 }
 
 TEST(MeshMorpher, AFoldIsNamedUnlessItIsAllowed) {
@@ -191,9 +178,10 @@ TEST(MeshMorpher, AFoldIsNamedUnlessItIsAllowed) {
   warp::Mesh source{kColumns, kRows, project.mesh->source};
   source.at(3, 2).x = source.at(2, 2).x - 1;
   project.mesh->source = source.vertices;
-  const std::string error = error_of([&] { Renderer(project, both); });
-  EXPECT_NE(error.find("/mesh/source/17: the source mesh folds over: the vertex in column 3, row 2"), std::string::npos)
-      << error;
+  const Error error = error_of([&] { Renderer(project, both); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_TRUE(contains(error.what(), "/mesh/source/17: the source mesh folds over: the vertex in column 3, row 2"))
+      << error.what();
   const Renderer renderer(project, both, {.allow_folds = true});
   for (const double t : {0.0, 0.5, 1.0})
     for (const warp::Pixel& pixel : renderer.frame(t))

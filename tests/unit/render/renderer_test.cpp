@@ -10,6 +10,7 @@
 namespace morphkit::render {
 namespace {
 
+using test::dissolved;
 using test::line;
 using test::pictures;
 using test::random_image;
@@ -49,12 +50,7 @@ TEST(Renderer, IdentityFeaturesGiveTheDissolveExactly) {
   for (project::Feature& feature : project.features) feature.destination = feature.source;
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.3, 0.5, 0.9}) {
-    const auto alpha = static_cast<float>(t);
-    warp::Image expected(kSize);
-    for (int y = 0; y < kSize.height; ++y)
-      for (int x = 0; x < kSize.width; ++x)
-        for (int c = 0; c < 4; ++c) expected(y, x)[c] = (1 - alpha) * a(y, x)[c] + alpha * b(y, x)[c];
-    EXPECT_TRUE(same_bits(renderer.frame(t), expected));
+    EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
   }
 }
 

@@ -6,13 +6,12 @@
 #include <hwy/tests/hwy_gtest.h>
 
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "tests/unit/warp/same_pixels.h"
 
 namespace morphkit::warp {
 namespace {
@@ -54,18 +53,6 @@ Weights random_weights(std::size_t count, std::mt19937& random) {
   return result;
 }
 
-/// Equal bits, where NaN is NaN.
-bool same(const Pixels& a, const Pixels& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    for (int c = 0; c < 4; ++c) {
-      if (std::isnan(a[k][c]) && std::isnan(b[k][c])) continue;
-      if (std::bit_cast<std::uint32_t>(a[k][c]) != std::bit_cast<std::uint32_t>(b[k][c])) return false;
-    }
-  }
-  return true;
-}
-
 TEST_P(MixRow, EqualsTheReference) {
   for (unsigned seed = 1; seed <= 1000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -78,8 +65,8 @@ TEST_P(MixRow, EqualsTheReference) {
       Pixels plain = a;
       mix_row(std::span(fast).first(count), b, weights);
       reference_mix_row(std::span(plain).first(count), b, weights);
-      ASSERT_TRUE(same(fast, plain));
-      ASSERT_TRUE(same({fast.back()}, {a.back()}));
+      ASSERT_TRUE(same_pixels(fast, plain));
+      ASSERT_TRUE(same_pixels({fast.back()}, {a.back()}));
     }
   }
 }
@@ -108,7 +95,7 @@ TEST_P(MixRow, OneWeightIsThatWeightForEach) {
     Pixels each = one;
     mix_row(one, b, Weights(1, 0.3F));
     mix_row(each, b, Weights(count, 0.3F));
-    ASSERT_TRUE(same(one, each));
+    ASSERT_TRUE(same_pixels(one, each));
   }
 }
 

@@ -8,13 +8,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "tests/unit/warp/same_pixels.h"
 
 namespace morphkit::warp::detail {
 namespace {
@@ -94,18 +93,6 @@ Pixels reconstructed(Reconstruct reconstruct, const Image& source, std::span<con
   return {out.begin() + 1, out.end() - 1};
 }
 
-/// Equal bits, where NaN is NaN.
-bool same(const Pixels& a, const Pixels& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    for (int c = 0; c < 4; ++c) {
-      if (std::isnan(a[k][c]) && std::isnan(b[k][c])) continue;
-      if (std::bit_cast<std::uint32_t>(a[k][c]) != std::bit_cast<std::uint32_t>(b[k][c])) return false;
-    }
-  }
-  return true;
-}
-
 // The parameter is the instruction set.
 class ReconstructRow : public hwy::TestWithParamTarget {};
 
@@ -122,8 +109,8 @@ void compare_with_reference(unsigned seeds, float scale, float hostile) {
     const Positions positions = make.positions(seed % 68, size);
     for (const Kernel kernel : kKernels) {
       for (const Border border : kBorders) {
-        EXPECT_TRUE(same(reconstructed(reconstruct_row, source, positions, kernel, border),
-                         reconstructed(reference_reconstruct_row, source, positions, kernel, border)))
+        EXPECT_TRUE(same_pixels(reconstructed(reconstruct_row, source, positions, kernel, border),
+                                reconstructed(reference_reconstruct_row, source, positions, kernel, border)))
             << "kernel " << static_cast<int>(kernel) << ", border " << static_cast<int>(border);
       }
     }
@@ -149,8 +136,8 @@ TEST_P(ReconstructRow, EqualsTheReferenceOnWideAndOnHighImages) {
     const Image source = make.image(size, 1, 0);
     const Positions positions = make.positions(2000, size);
     for (const Kernel kernel : kKernels) {
-      EXPECT_TRUE(same(reconstructed(reconstruct_row, source, positions, kernel, Border::kMirror),
-                       reconstructed(reference_reconstruct_row, source, positions, kernel, Border::kMirror)));
+      EXPECT_TRUE(same_pixels(reconstructed(reconstruct_row, source, positions, kernel, Border::kMirror),
+                              reconstructed(reference_reconstruct_row, source, positions, kernel, Border::kMirror)));
     }
   }
 }
@@ -167,8 +154,8 @@ TEST_P(ReconstructRow, APositionIsIndependentOfItsRow) {
         const std::size_t count = std::min(static_cast<std::size_t>(make.integer(1, 40)), positions.size() - begin);
         const Pixels part =
             reconstructed(reconstruct_row, source, std::span(positions).subspan(begin, count), kernel, Border::kClamp);
-        EXPECT_TRUE(same(part, Pixels(whole.begin() + static_cast<std::ptrdiff_t>(begin),
-                                      whole.begin() + static_cast<std::ptrdiff_t>(begin + count))));
+        EXPECT_TRUE(same_pixels(part, Pixels(whole.begin() + static_cast<std::ptrdiff_t>(begin),
+                                             whole.begin() + static_cast<std::ptrdiff_t>(begin + count))));
         begin += count;
       }
     }

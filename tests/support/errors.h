@@ -1,0 +1,28 @@
+#pragma once
+// Errors that tests expect, and what they say.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "morph/error.h"
+
+namespace morphkit::test {
+
+/// The Error that `action` throws. The test fails if it throws none; anything else passes through.
+template <typename Action>
+Error error_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no Error was thrown";
+  return {ErrorCode::kFailed, "", ""};
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace morphkit::test
