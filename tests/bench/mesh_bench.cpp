@@ -77,6 +77,26 @@ void line(benchmark::State& state) {
 }
 BENCHMARK(line)->ArgName("percent")->Arg(50)->Arg(99)->Arg(100)->Arg(103)->Arg(200)->Arg(810);
 
+using Registered = benchmark::internal::Benchmark;
+
+void vertices(Registered* to) {
+  to->ArgName("vertices")->Arg(10)->Arg(30)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+void vertices_and_threads(Registered* to) {
+  to->ArgNames({"vertices", "threads"})->ArgsProduct({{10, 30, 500}, {1, 2}});
+  to->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+/// For what is measured in dB.
+void once(Registered* to) {
+  to->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+void once_each_strength(Registered* to) {
+  once(to->ArgName("strong")->Arg(0)->Arg(1));
+}
+
 /// Arguments: vertices, threads.
 void one_warp(benchmark::State& state) {
   set_threads(static_cast<int>(state.range(1)));
@@ -87,11 +107,7 @@ void one_warp(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kFrame.area());
   set_threads(0);
 }
-BENCHMARK(one_warp)
-    ->ArgNames({"vertices", "threads"})
-    ->ArgsProduct({{10, 30, 500}, {1, 2}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(one_warp)->Apply(vertices_and_threads);
 
 /// Arguments: vertices, threads. From meshes to pixels: a frame has its own in-between mesh.
 void frame(benchmark::State& state) {
@@ -112,11 +128,7 @@ void frame(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kFrame.area());
   set_threads(0);
 }
-BENCHMARK(frame)
-    ->ArgNames({"vertices", "threads"})
-    ->ArgsProduct({{10, 30, 500}, {1, 2}})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(frame)->Apply(vertices_and_threads);
 
 // ---- Quality, in dB, as counters.
 
@@ -182,12 +194,12 @@ auto warped(const Trial& trial) {
 void plate(benchmark::State& state) {
   measure_plate(state, warped);
 }
-BENCHMARK(plate)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(plate)->Apply(once);
 
 void photograph(benchmark::State& state) {
   measure_photograph(state, warped);
 }
-BENCHMARK(photograph)->ArgName("strong")->Arg(0)->Arg(1)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(photograph)->Apply(once_each_strength);
 
 // ---- libmorph
 
@@ -272,36 +284,12 @@ constexpr auto libmorph_photograph = skip;
 
 #endif
 
-BENCHMARK_CAPTURE(libmorph_frame, bilinear, "bilinear")
-    ->ArgName("vertices")
-    ->Arg(10)
-    ->Arg(30)
-    ->Arg(500)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(libmorph_frame, lanczos, "lanczos")
-    ->ArgName("vertices")
-    ->Arg(10)
-    ->Arg(30)
-    ->Arg(500)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(libmorph_plate, bilinear, "bilinear")->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(libmorph_plate, lanczos, "lanczos")->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(libmorph_photograph, bilinear, "bilinear")
-    ->ArgName("strong")
-    ->Arg(0)
-    ->Arg(1)
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_CAPTURE(libmorph_photograph, lanczos, "lanczos")
-    ->ArgName("strong")
-    ->Arg(0)
-    ->Arg(1)
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK_CAPTURE(libmorph_frame, bilinear, "bilinear")->Apply(vertices);
+BENCHMARK_CAPTURE(libmorph_frame, lanczos, "lanczos")->Apply(vertices);
+BENCHMARK_CAPTURE(libmorph_plate, bilinear, "bilinear")->Apply(once);
+BENCHMARK_CAPTURE(libmorph_plate, lanczos, "lanczos")->Apply(once);
+BENCHMARK_CAPTURE(libmorph_photograph, bilinear, "bilinear")->Apply(once_each_strength);
+BENCHMARK_CAPTURE(libmorph_photograph, lanczos, "lanczos")->Apply(once_each_strength);
 
 }  // namespace
 }  // namespace morphkit::warp
