@@ -127,10 +127,12 @@ void Document::select(Selection selection) {
                       tidied(std::move(selection.vertices), vertex_count(project()))};
 }
 
-void Document::select_all() {
-  const bool by_mesh = method() == project::Method::kMesh;
-  state_.selection = by_mesh ? Selection{{}, first_numbers(vertex_count(project()))}
-                             : Selection{first_numbers(project().features.size()), {}};
+void Document::select_all_features() {
+  state_.selection = {first_numbers(project().features.size()), {}};
+}
+
+void Document::select_all_vertices() {
+  state_.selection = {{}, first_numbers(vertex_count(project()))};
 }
 
 cv::Point2d Document::counterpart(SideName side, cv::Point2d position) const {
@@ -276,9 +278,11 @@ std::optional<std::string> Document::rename(int feature, const std::string& id) 
   return std::nullopt;
 }
 
-void Document::group_selected(const std::string& group) {
-  if (!group.empty() && !problem_of_name(group).empty()) return;
-  if (selection().features.empty()) return;
+std::optional<std::string> Document::group_selected(const std::string& group) {
+  if (selection().features.empty()) return std::nullopt;
+  if (!group.empty()) {
+    if (std::string problem = problem_of_name(group); !problem.empty()) return problem;
+  }
   change([&](Project& project) {
     std::set<std::string> left;
     for (const int i : selection().features) {
@@ -288,6 +292,7 @@ void Document::group_selected(const std::string& group) {
     add_group(project, group);
     drop_idle_groups(project, left);
   });
+  return std::nullopt;
 }
 
 }  // namespace morphkit::edit

@@ -62,7 +62,8 @@ class Document {
 
   // Selection; no steps of undo
   void select(Selection selection);  ///< what does not exist is left out
-  void select_all();                 ///< what warps: the features, or by kMesh the vertices
+  void select_all_features();
+  void select_all_vertices();
   void select_none() { select({}); }
 
   // Features. New ones are selected. The partner of a new mark lies where the warp so far carries it. Each gives the
@@ -82,16 +83,17 @@ class Document {
   /// @return what is wrong with the name (empty, taken), or nothing.
   std::optional<std::string> rename(int feature, const std::string& id);
   /// Puts the selected features into the group, which is made if need be; empty: into none. Groups that nothing
-  /// belongs to any more and that say nothing go away.
-  void group_selected(const std::string& group);
+  /// belongs to any more and that say nothing go away. @return what is wrong with the name, or nothing.
+  std::optional<std::string> group_selected(const std::string& group);
 
   // Tuning: of the selected features, or of the project if none is selected
   double tuning(Tuning which) const;       ///< effective, of the first selected feature
   bool tuning_is_own(Tuning which) const;  ///< whether it is set there, not inherited
   void tune(Tuning which, double value);   ///< clamped to what the project file allows
-  void untune();                           ///< the selected features inherit everything again
+  void untune();                           ///< the selected features inherit these numbers and timings again
   motion::Timing timing(Progress which) const;
-  void set_timing(Progress which, const motion::Timing& timing);  ///< not done if the project file would not take it
+  /// Delays and durations stay, each feature's own. Not done if the project file would not take it.
+  void set_easing(Progress which, const motion::Easing& easing);
   project::Method method() const { return project::method_of(project()); }
   void set_method(project::Method method);  ///< kMesh makes a mesh of 5 x 5 if there is none
 

@@ -20,6 +20,14 @@ const std::optional<double>& value_of(const Influence& influence, Tuning which) 
   return which == Tuning::kA ? influence.a : which == Tuning::kB ? influence.b : influence.p;
 }
 
+std::optional<motion::Timing>& timing_of(Influence& influence, Progress which) {
+  return which == Progress::kShape ? influence.shape : influence.dissolve;
+}
+
+const std::optional<motion::Timing>& timing_of(const Influence& influence, Progress which) {
+  return which == Progress::kShape ? influence.shape : influence.dissolve;
+}
+
 double most(Tuning which) {
   return which == Tuning::kA ? project::kMaxCoordinate : which == Tuning::kB ? project::kMaxFalloff : 1;
 }
@@ -38,21 +46,18 @@ bool within_limits(double value) {
   return std::abs(value) <= project::kMaxCoordinate;
 }
 
-/// Whether the project file takes it. As there, a sum of 1 in decimals may exceed it by a rounding error in binary.
-bool acceptable(const motion::Timing& timing) {
-  if (motion::problem(timing.easing)) return false;
-  if (const auto* bezier = std::get_if<motion::CubicBezierEase>(&timing.easing);
-      bezier && !(within_limits(bezier->y1) && within_limits(bezier->y2)))
-    return false;
-  if (const auto* keyed = std::get_if<motion::KeysEase>(&timing.easing)) {
+/// Whether the project file takes it.
+bool acceptable(const motion::Easing& easing) {
+  if (motion::problem(easing)) return false;
+  if (const auto* bezier = std::get_if<motion::CubicBezierEase>(&easing))
+    return within_limits(bezier->y1) && within_limits(bezier->y2);
+  if (const auto* keyed = std::get_if<motion::KeysEase>(&easing)) {
     const auto good = [](const motion::KeysEase::Key& key) {
       return within_limits(key.s) && within_limits(key.speed.value_or(0));
     };
-    if (keyed->keys.size() > project::kMaxPoints || !std::ranges::all_of(keyed->keys, good)) return false;
+    return keyed->keys.size() <= project::kMaxPoints && std::ranges::all_of(keyed->keys, good);
   }
-  const bool in_unit = timing.delay >= 0 && timing.delay <= 1 && timing.duration >= 0 && timing.duration <= 1;
-  constexpr double kRounding = 1e-9;
-  return in_unit && timing.delay + timing.duration <= 1 + kRounding;
+  return true;
 }
 
 }  // namespace
@@ -77,24 +82,31 @@ void Document::tune(Tuning which, double value) {
 }
 
 void Document::untune() {
-  change_selected([](project::Feature& feature) { feature.influence = {}; });
+  change_selected([](project::Feature& feature) {
+    Influence& influence = feature.influence;
+    influence.a = influence.b = influence.p = std::nullopt;
+    influence.shape = influence.dissolve = std::nullopt;
+  });
 }
 
 motion::Timing Document::timing(Progress which) const {
-  const Influence influence = effective_of_first(*this);
-  return which == Progress::kShape ? *influence.shape : *influence.dissolve;
+  return *timing_of(effective_of_first(*this), which);
 }
 
-void Document::set_timing(Progress which, const motion::Timing& timing) {
-  if (!acceptable(timing)) return;
-  const auto set = [&](Influence& influence) {
-    (which == Progress::kShape ? influence.shape : influence.dissolve) = timing;
+void Document::set_easing(Progress which, const motion::Easing& easing) {
+  if (!acceptable(easing)) return;
+  const auto set = [&](Influence& influence, const Influence& effective) {
+    motion::Timing timing = *timing_of(effective, which);
+    timing.easing = easing;
+    timing_of(influence, which) = timing;
   };
-  if (selection().features.empty()) {
-    change([&](Project& project) { set(project.influence); });
-  } else {
-    change_selected([&](project::Feature& feature) { set(feature.influence); });
-  }
+  change([&](Project& project) {
+    if (selection().features.empty()) set(project.influence, project::effective(project));
+    for (const int i : selection().features) {
+      project::Feature& feature = project.features[static_cast<std::size_t>(i)];
+      set(feature.influence, project::effective(project, feature));
+    }
+  });
 }
 
 }  // namespace morphkit::edit

@@ -115,6 +115,7 @@ void draw_status(const Scribe& scribe, const Model& model, const PreviewPicture&
   rect.width -= scribe.px(24);
   if (model.entry) {
     const std::string_view what = model.entry->what == Entry::What::kName ? "Name: " : "Group (empty: none): ";
+    scribe.right(rect, model.message, palette::kQuiet);
     return scribe.left(rect, fmt::format("{}{}\u258f", what, model.entry->text), palette::kText);
   }
   const bool changed = model.document.changed();

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kClickPx = 4;  ///< a drag that is shorter was a click
 constexpr double kZoomPerNotch = 1.2;
-constexpr int kFirstMesh = 5;  ///< vertices a side of a mesh that is made by a click
 
 double length(cv::Point2d d) {
   return std::hypot(d.x, d.y);
@@ -22,12 +21,6 @@ double length(cv::Point2d d) {
 
 bool draws(Tool tool) {
   return tool == Tool::kLine || tool == Tool::kPoint || tool == Tool::kCurve;
-}
-
-/// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.
-cv::Point2d rounded(cv::Point2d position, double zoom) {
-  const double steps = std::pow(10.0, std::ceil(std::log10(10 * zoom)));  // per px: tenths of a screen px or finer
-  return {std::round(position.x * steps) / steps, std::round(position.y * steps) / steps};
 }
 
 /// The selection with `item` taken in, or taken out if it was in.
@@ -99,7 +92,7 @@ std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
   last_ = began_ = content_at(mouse.position);
   if (!left || pane_ == Pane::kResult) {
     if (again && left) {
-      fit();
+      model_.fit_views();
     } else {
       drag_ = Drag::kPan;
     }
@@ -111,16 +104,12 @@ std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
 
 std::optional<Wish> Gestures::press_widget(const Widget& widget, cv::Point position) {
   if (!widget.enabled) return std::nullopt;
-  if (widget.action == Action::kSave) return Wish::kSave;
-  if (widget.slider) {
-    if (!slider_grip(widget, layout_.scale).contains(position)) return std::nullopt;
-    slider_ = widget;
-    drag_ = Drag::kSlider;
-    if (widget.action == Action::kTune) begin_step();
-    slide(position);
-  } else {
-    act(widget);
-  }
+  if (!widget.slider) return act(widget.action, widget.value);
+  if (!slider_grip(widget, layout_.scale).contains(position)) return std::nullopt;
+  slider_ = widget;
+  drag_ = Drag::kSlider;
+  if (widget.action == Action::kTune) begin_step();
+  slide(position);
   return std::nullopt;
 }
 
@@ -128,7 +117,7 @@ void Gestures::press_picture(const Mouse& mouse, bool again) {
   if (model_.tool == Tool::kCurve && (model_.sketch || again)) return press_curve(mouse, again);
   const auto handle = handle_at(model_, layout_, mouse.position);
   if (handle && !(mouse.ctrl && draws(model_.tool))) return press_handle(*handle, mouse);
-  if (again) return fit();
+  if (again) return model_.fit_views();
   press_blank(mouse);
 }
 
@@ -155,10 +144,7 @@ void Gestures::press_blank(const Mouse& mouse) {
   Document& document = model_.document;
   model_.switches.features = true;
   if (model_.tool == Tool::kMesh && !document.has_mesh()) {
-    document.begin();
-    document.make_mesh(kFirstMesh, kFirstMesh);
     document.set_method(project::Method::kMesh);
-    document.end();
     return say("a mesh on both pictures: drag its vertices");
   }
   if (mouse.shift || model_.tool == Tool::kSelect || model_.tool == Tool::kMesh) {
@@ -278,13 +264,6 @@ void Gestures::select_alone() {
   model_.held = held;
 }
 
-void Gestures::tell_of_new() {
-  const bool idle = model_.document.method() == project::Method::kMesh;
-  say(fmt::format(
-      "{}: {}", model_.document.project().features.back().id,
-      idle ? "does nothing while the mesh warps; \"Warp: mesh\" below changes that" : "put its partner right"));
-}
-
 void Gestures::end_line(cv::Point position) {
   const Sketch sketch = *std::exchange(model_.sketch, std::nullopt);
   if (length(position - pressed_) < kClickPx * layout_.scale) return select({});
@@ -393,8 +372,10 @@ cv::Point2d Gestures::snapped(cv::Point2d position, const Mouse& mouse, int exce
   return rounded(model_.snapped.value_or(position), zoom);
 }
 
-SideName Gestures::side_under_mouse() const {
-  return layout_.pane_at(model_.mouse) == Pane::kDestination ? SideName::kDestination : SideName::kSource;
+SideName Gestures::side_at_hand() const {
+  const std::optional<Pane> pane = layout_.pane_at(model_.mouse);
+  if (pane && *pane != Pane::kResult) return side_of(*pane);
+  return model_.held ? model_.held->side : side_of(pane_);
 }
 
 void Gestures::tick(double seconds) {

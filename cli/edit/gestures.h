@@ -75,7 +75,6 @@ class Gestures {
   void drag_held(const Mouse& mouse, cv::Point2d by);  ///< `by`: since the press, px of the picture
   void release(const Mouse& mouse);
   void select_alone();  ///< what is held: a click on one of several
-  void tell_of_new();   ///< the last feature
   void end_line(cv::Point position);
   void end_band();
   void wheel(const Mouse& mouse);
@@ -85,26 +84,33 @@ class Gestures {
 
   // Keys
   std::optional<Wish> press_key(int key);
-  void type(int key);
   bool leave();  ///< Esc: what is going on ends. false: nothing was
   void nudge(int key);
-  void choose_tool(Tool tool);
-  void end_curve(bool closed);
   void step_frames(int frames);
-  void next_feature();
+
+  // What is typed
+  void type(int key);
   void begin_entry(Entry::What what);
   void accept_entry();
   void answer(int key);
-  void undo(bool back);
+
+  // Widgets and keys
+  std::optional<Wish> act(Action action, int value = 0);
+  void choose_tool(Tool tool);
+  void end_curve(bool closed);
+  void tell_of_new();      ///< the last feature
+  void take_back_click();  ///< the last one of a curve. @pre sketches_curve()
   void erase();
+  void undo(bool back);
+  void select_all();  ///< vertices with the mesh tool, features with the others
+  void select_next();
+  void next_easing(Progress which);
   void add_to_mesh(bool column);         ///< at the mouse
   void add_to_largest_gap(bool column);  ///< halves it
   void remove_from_mesh(bool column);
 
-  // Both
-  void act(const Widget& widget);
-  void next_easing(Progress which);
-  void fit();
+  // All
+  bool sketches_curve() const;
   void follow_view(Pane pane);
   void begin_step();
   void end_step();
@@ -112,7 +118,7 @@ class Gestures {
   void select(Selection selection);
   cv::Point2d content_at(cv::Point position) const;  ///< of `pane_`
   cv::Point2d snapped(cv::Point2d position, const Mouse& mouse, int except);
-  SideName side_under_mouse() const;
+  SideName side_at_hand() const;  ///< under the mouse, else where something is held, else of the last press
 
   Model& model_;
   EdgeFinder edges_;

@@ -1,5 +1,5 @@
 #pragma once
-// Every key and gesture, in one table: the help overlay, the docs and the dispatcher read it.
+// Every key and gesture as the help overlay and docs/edit.md show it.
 
 #include <span>
 #include <string_view>
@@ -7,8 +7,8 @@
 namespace morphkit::edit {
 
 struct HelpLine {
-  std::string_view section;  ///< "Mark", "Select and change", "See", "Mesh", "Tune", "File"
-  std::string_view keys;     ///< "drag", "shift + drag", "z", "space"
+  std::string_view section;  ///< "Mark", "Select and change", "See", "File"
+  std::string_view keys;     ///< "drag", "Shift + drag", "z", "Space"
   std::string_view text;     ///< what it does, a few words
 };
 

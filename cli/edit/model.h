@@ -89,14 +89,19 @@ struct Model {
   std::string message;    ///< status line: what just happened
   std::string file_name;  ///< for the status line
 
-  View& view(Pane pane) {
-    return pane == Pane::kSource ? source_view : pane == Pane::kDestination ? destination_view : result_view;
-  }
-  const View& view(Pane pane) const { return const_cast<Model*>(this)->view(pane); }
+  View& view(Pane pane) { return this->*member_of(pane); }
+  const View& view(Pane pane) const { return this->*member_of(pane); }
   /// Size of what a pane shows, px: a picture, or the canvas that is rendered.
   cv::Size content_size(Pane pane) const;
   /// Fits all three.
   void fit_views();
+
+ private:
+  static View Model::*member_of(Pane pane) {
+    return pane == Pane::kSource        ? &Model::source_view
+           : pane == Pane::kDestination ? &Model::destination_view
+                                        : &Model::result_view;
+  }
 };
 
 }  // namespace morphkit::edit

@@ -102,6 +102,11 @@ std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d po
   return found;
 }
 
+cv::Point2d rounded(cv::Point2d position, double zoom) {
+  const double steps = std::pow(10.0, std::ceil(std::log10(10 * zoom)));  // per px: tenths of a screen px or finer
+  return {std::round(position.x * steps) / steps, std::round(position.y * steps) / steps};
+}
+
 std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
                                        int except) {
   std::optional<cv::Point2d> nearest;

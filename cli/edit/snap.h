@@ -18,4 +18,7 @@ std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d po
 std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
                                        int except);
 
+/// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.
+cv::Point2d rounded(cv::Point2d position, double zoom);
+
 }  // namespace morphkit::edit

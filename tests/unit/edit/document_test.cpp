@@ -301,7 +301,7 @@ TEST(Duplicate, MovesBothSidesAndSelectsTheCopies) {
   Document document = document_of();
   document.add_line(kHere, {10, 20}, {60, 40});
   document.add_point(kHere, {5, 6});
-  document.select_all();
+  document.select_all_features();
   document.duplicate_selected({3, 4});
   EXPECT_EQ(document.selection(), (Selection{{2, 3}, {}}));
   EXPECT_EQ(feature(document, 2).id, "line 2");
@@ -358,6 +358,8 @@ TEST(Groups, ComeAndGoWithWhatBelongsToThem) {
   EXPECT_FALSE(document.tuning_is_own(Tuning::kA));
   document.group_selected("eye");
   EXPECT_EQ(document.project().groups.size(), 3U) << "tuned says something, idle was never left";
+  EXPECT_TRUE(document.group_selected(std::string(1, '\t'))) << "no name";
+  EXPECT_EQ(feature(document, 0).group, "eye");
   document.group_selected("");
   ASSERT_EQ(document.project().groups.size(), 2U);
   EXPECT_EQ(document.project().groups[1].id, "idle");
@@ -385,19 +387,49 @@ TEST(Tuning, OfTheSelectionOrOfTheProject) {
   EXPECT_TRUE(document.tuning_is_own(Tuning::kB));
 }
 
-TEST(Timings, ThatTheFileWouldRefuseAreNotSet) {
-  Document document = document_of();
-  document.set_timing(Progress::kShape, {motion::SineEase{}, 0.25, 0.5});
+TEST(Tuning, InheritingLeavesTheRestOfAFeatureAlone) {
+  project::Project project = empty_project();
+  Document first(project, {400, 300}, {400, 300});
+  first.add_line(kHere, {10, 20}, {60, 40});
+  project = first.project();
+  project.features[0].influence.between = project::Between::kCentre;
+  project.features[0].influence.turns = 1;
+  project.features[0].influence.shape = motion::Timing{motion::SineEase{}, 0.25, 0.5};
+  project.features[0].influence.p = 1;
+  Document document(project, {400, 300}, {400, 300});
+  document.select({{0}, {}});
+  document.untune();
+  project::Influence left;
+  left.between = project::Between::kCentre;
+  left.turns = 1;
+  EXPECT_EQ(feature(document, 0).influence, left);
+}
+
+TEST(Easings, LeaveDelaysAndDurationsOfEveryFeature) {
+  project::Project project = empty_project();
+  project.influence.shape = motion::Timing{motion::LinearEase{}, 0.25, 0.5};
+  Document document(project, {400, 300}, {400, 300});
+  document.set_easing(Progress::kShape, motion::SineEase{});
   EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
   EXPECT_EQ(document.timing(Progress::kDissolve), motion::Timing{});
-  const std::vector<motion::Timing> refused = {{motion::LinearEase{}, 0.6, 0.6},
-                                               {motion::LinearEase{}, -0.1, 0.6},
-                                               {motion::LinearEase{}, kNaN, 0.6},
-                                               {motion::StepEase{2}, 0, 1},
-                                               {motion::CubicBezierEase{0, 1e9, 1, 0}, 0, 1},
-                                               {motion::KeysEase{}, 0, 1}};
-  for (const motion::Timing& timing : refused) document.set_timing(Progress::kShape, timing);
-  EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
+  document.add_line(kHere, {10, 20}, {60, 40});
+  document.add_point(kHere, {5, 6});
+  project = document.project();
+  project.features[1].influence.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.25};
+  document.replace(project);
+  document.select({{0, 1}, {}});
+  document.set_easing(Progress::kShape, motion::ParabolicEase{});
+  EXPECT_EQ(feature(document, 0).influence.shape, (motion::Timing{motion::ParabolicEase{}, 0.25, 0.5}));
+  EXPECT_EQ(feature(document, 1).influence.shape, (motion::Timing{motion::ParabolicEase{}, 0.5, 0.25}));
+}
+
+TEST(Easings, ThatTheFileWouldRefuseAreNotSet) {
+  Document document = document_of();
+  document.set_easing(Progress::kShape, motion::SineEase{});
+  const std::vector<motion::Easing> refused = {motion::StepEase{2}, motion::CubicBezierEase{0, 1e9, 1, 0},
+                                               motion::SinusoidalEase{kNaN, 1}, motion::KeysEase{}};
+  for (const motion::Easing& easing : refused) document.set_easing(Progress::kShape, easing);
+  EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0, 1}));
   expect_reads_back(document);
 }
 

@@ -64,7 +64,9 @@ TEST_F(GestureSession, WidgetsDoWhatTheySay) {
 
 TEST_F(GestureSession, EasingsGoRoundAndKeepTheirTimes) {
   const motion::Timing slow{motion::LinearEase{}, 0.25, 0.5};
-  model.document.set_timing(Progress::kShape, slow);
+  project::Project project = document().project();
+  project.influence.shape = slow;
+  model.document.replace(project);
   std::set<std::size_t> seen;
   for (int i = 0; i < 5; ++i) {
     click(Action::kShape);
@@ -129,6 +131,23 @@ TEST_F(GestureSession, NamesAreTyped) {
   EXPECT_EQ(features()[0].id, "Eye 2-q");
   EXPECT_EQ(selected(), Indices{0}) << "Esc leaves one thing at a time";
   EXPECT_EQ(steps_back(), 2);
+}
+
+TEST_F(GestureSession, NamesAreShortenedByWholeCharacters) {
+  drag(kSource, {100, 50}, {300, 50});
+  ASSERT_FALSE(model.document.rename(0, "nez \u00e9\U0001f441"));
+  key('n');
+  key(kKeyBackspace);
+  EXPECT_EQ(model.entry->text, "nez \u00e9");
+  key(kKeyBackspace);
+  EXPECT_EQ(model.entry->text, "nez ");
+  constexpr int kUmlaut = 0xe4, kArrow = 0xff51;
+  model.message.clear();
+  key(kArrow);
+  EXPECT_EQ(model.message, "");
+  key(kUmlaut);
+  EXPECT_NE(model.message.find("cannot be typed"), std::string::npos);
+  EXPECT_EQ(model.entry->text, "nez ");
 }
 
 TEST_F(GestureSession, NamesThatAreTakenAreRefused) {

@@ -62,6 +62,54 @@ TEST_F(GestureSession, NudgesByAPixelOfTheScreen) {
   EXPECT_EQ(features()[0].source[0], cv::Point2d(100, 50.25));
 }
 
+TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
+  drag(kDestination, {100, 50}, {300, 50});
+  const auto nudged = [&] { return features()[0].destination[0] != cv::Point2d(100, 50); };
+  key('a');
+  mouse(What::kMove, {800, 895});  // the status line
+  key('l');
+  EXPECT_TRUE(nudged()) << "the side of the last press";
+  key('z');
+  click(kSource, {20, 20});
+  key('a');
+  move(kDestination, {20, 20});
+  key('l');
+  EXPECT_TRUE(nudged()) << "the side under the mouse";
+  key('z');
+  click(kDestination, {100, 50});
+  mouse(What::kMove, {800, 895});
+  key('w');
+  EXPECT_EQ(features()[0].destination[0], cv::Point2d(300, 50));
+  EXPECT_EQ(features()[0].source[0], cv::Point2d(100, 50));
+}
+
+TEST_F(GestureSession, NudgesAreShortInTheFile) {
+  drag(kSource, {100, 50}, {300, 50});
+  model.source_view.zoom = 0.37;
+  key('a');
+  move(kSource, {200, 150});
+  key('l');
+  EXPECT_EQ(features()[0].source[0], cv::Point2d(102.7, 50));
+}
+
+TEST_F(GestureSession, AllAndTheNextAreOfWhatTheToolHolds) {
+  mark_three_lines();
+  key('5');
+  click(kSource, {30, 80});
+  key('a');
+  EXPECT_EQ(document().selection().vertices.size(), 25U);
+  EXPECT_TRUE(selected().empty());
+  key(kKeyTab);
+  EXPECT_EQ(document().selection().vertices, Indices{0});
+  key(kKeyTab);
+  EXPECT_EQ(document().selection().vertices, Indices{1});
+  key('2');
+  key('a');
+  EXPECT_EQ(selected(), (Indices{0, 1, 2})) << "whatever warps";
+  key(kKeyTab);
+  EXPECT_EQ(selected(), Indices{0});
+}
+
 TEST_F(GestureSession, AClickWithTheLineToolMakesNothingButDeselects) {
   drag(kSource, {100, 50}, {300, 50});
   drag(kSource, {200, 150}, {202, 152});
@@ -282,8 +330,35 @@ TEST_F(GestureSession, ACurveIsTakenBackPointByPointOrWhole) {
   click(kSource, {200, 60});
   key(kKeyEscape);
   EXPECT_FALSE(model.sketch);
+  click(kSource, {100, 100});
+  click(kSource, {200, 60});
+  key('y');
+  EXPECT_EQ(model.sketch->points.size(), 2U) << "there is nothing to redo";
+  key('z');
+  EXPECT_EQ(model.sketch->points.size(), 1U);
+  key('z');
+  EXPECT_FALSE(model.sketch);
   EXPECT_TRUE(features().empty());
   EXPECT_EQ(steps_back(), 0);
+}
+
+TEST_F(GestureSession, AnotherToolEndsTheCurve) {
+  for (const bool by_key : {false, true}) {
+    key('4');
+    click(kSource, {100, 100});
+    click(kSource, {200, 60});
+    key('4');
+    EXPECT_TRUE(model.sketch) << "the same tool goes on";
+    if (by_key) {
+      key('2');
+    } else {
+      click(Action::kTool, 1);
+    }
+    EXPECT_FALSE(model.sketch);
+    ASSERT_EQ(features().size(), 1U);
+    EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{100, 100}, {200, 60}}));
+    key('x');
+  }
 }
 
 TEST_F(GestureSession, MeshesAreMadeDraggedGrownAndShrunk) {

@@ -104,7 +104,7 @@ class Walk {
         document.untune();
         break;
       case 2:
-        document.set_timing(static_cast<Progress>(integer(0, 1)), timing());
+        document.set_easing(static_cast<Progress>(integer(0, 1)), easing());
         break;
       default:
         document.set_method(integer(0, 1) == 0 ? project::Method::kLines : project::Method::kMesh);
@@ -138,7 +138,7 @@ class Walk {
     for (int i = integer(0, 4); i > 0; --i) selection.features.push_back(feature());
     for (int i = integer(0, 4); i > 0; --i) selection.vertices.push_back(integer(-2, 40));
     if (integer(0, 9) == 0) {
-      document.select_all();
+      integer(0, 1) == 0 ? document.select_all_features() : document.select_all_vertices();
     } else {
       document.select(selection);
     }
@@ -170,11 +170,11 @@ class Walk {
     const std::array<const char*, 7> names = {"", "eye", "mouth", "Öhr", "a\nb", "\xff", "line 1"};
     return names[static_cast<std::size_t>(integer(0, 6))];
   }
-  motion::Timing timing() {
+  motion::Easing easing() {
     const std::array<motion::Easing, 6> easings = {
         motion::LinearEase{},    motion::SineEase{},        motion::SinusoidalEase{0.2, 0.1},
         motion::ParabolicEase{}, motion::CubicBezierEase{}, motion::KeysEase{{{0, 0, {}}, {0.3, 2, 1.5}, {1, 1, {}}}}};
-    return {easings[static_cast<std::size_t>(integer(0, 5))], number(-0.2, 0.6), number(0, 1.1)};
+    return easings[static_cast<std::size_t>(integer(0, 5))];
   }
 
   std::mt19937 random_;
