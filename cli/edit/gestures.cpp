@@ -114,6 +114,7 @@ std::optional<Wish> Gestures::press_widget(const Widget& widget, cv::Point posit
 }
 
 void Gestures::press_picture(const Mouse& mouse, bool again) {
+  side_ = side_of(pane_);
   if (model_.tool == Tool::kCurve && (model_.sketch || again)) return press_curve(mouse, again);
   const auto handle = handle_at(model_, layout_, mouse.position);
   if (handle && !(mouse.ctrl && draws(model_.tool))) return press_handle(*handle, mouse);
@@ -375,7 +376,7 @@ cv::Point2d Gestures::snapped(cv::Point2d position, const Mouse& mouse, int exce
 SideName Gestures::side_at_hand() const {
   const std::optional<Pane> pane = layout_.pane_at(model_.mouse);
   if (pane && *pane != Pane::kResult) return side_of(*pane);
-  return model_.held ? model_.held->side : side_of(pane_);
+  return model_.held ? model_.held->side : side_;
 }
 
 void Gestures::tick(double seconds) {

@@ -124,11 +124,12 @@ class Gestures {
   EdgeFinder edges_;
   Layout layout_;  ///< at the last event
   Drag drag_ = Drag::kNothing;
-  Pane pane_ = Pane::kSource;  ///< where the press was
-  cv::Point pressed_;          ///< canvas px
-  cv::Point2d last_;           ///< content px up to which the drag has been followed
-  cv::Point2d began_;          ///< content px of the press
-  cv::Point2d from_;           ///< where the point that is held was at the press, px of the picture
+  Pane pane_ = Pane::kSource;          ///< where the press was
+  SideName side_ = SideName::kSource;  ///< where the last press on a picture was
+  cv::Point pressed_;                  ///< canvas px
+  cv::Point2d last_;                   ///< content px up to which the drag has been followed
+  cv::Point2d began_;                  ///< content px of the press
+  cv::Point2d from_;                   ///< where the point that is held was at the press, px of the picture
   Widget slider_;
   bool dragged_ = false;  ///< the mouse has gone further since the press than a click may
   bool adding_ = false;   ///< a rubber band adds to the selection

@@ -80,7 +80,7 @@ void add_tools(Layout& layout, const Model& model) {
   double width = kMargin;
   for (const std::string_view command : commands) width += width_of(command) + kGap;
   Row right(layout, layout.top, layout.top.width / layout.scale - width);
-  right.add(Action::kUndo, 0, "Undo").enabled = model.document.can_undo();
+  right.add(Action::kUndo, 0, "Undo").enabled = model.document.can_undo() || model.sketch;
   right.add(Action::kRedo, 0, "Redo").enabled = model.document.can_redo();
   right.add(Action::kFit, 0, "Fit");
   right.add(Action::kSave, 0, "Save").enabled = model.document.changed();

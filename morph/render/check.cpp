@@ -1,6 +1,5 @@
 #include "morph/render/check.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -12,17 +11,6 @@
 
 namespace morphkit::render {
 namespace {
-
-bool shows(const Renderer& renderer, SideName side, double t) {
-  const project::Project& project = renderer.project();
-  const auto shows_with = [&](const project::Influence& influence) {
-    const double alpha = motion::progress(*influence.dissolve, t);
-    return side == SideName::kSource ? alpha < 1 : alpha > 0;
-  };
-  return shows_with(project::effective(project)) ||
-         std::any_of(project.features.begin(), project.features.end(),
-                     [&](const project::Feature& feature) { return shows_with(project::effective(project, feature)); });
-}
 
 /// What lies nearest to the worst fold, put into the finding and named for the message.
 std::string name_nearest(const Renderer& renderer, Finding& fold) {
@@ -39,7 +27,7 @@ void find_map_folds(const Renderer& renderer, SideName side, std::vector<Finding
   worst.kind = Finding::Kind::kFold;
   worst.where = name_of(side);
   for (const double t : kMoments) {
-    if (!shows(renderer, side, t)) continue;
+    if (!renderer.shows(side, t)) continue;
     const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(t, side));
     std::int64_t area_px = 0;
     for (const warp::FoldRegion& region : regions) area_px += region.area_px;

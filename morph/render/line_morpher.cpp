@@ -48,15 +48,31 @@ std::string LineMorpher::description() const {
   return text;
 }
 
+std::pair<double, double> LineMorpher::dissolve_range(double t) const {
+  const auto at = [&](const project::Influence& influence) {
+    return std::clamp(motion::progress(*influence.dissolve, t), 0.0, 1.0);
+  };
+  if (!local_dissolve_) {
+    const double whole = at(project::effective(project_));
+    return {whole, whole};
+  }
+  std::pair<double, double> range{1, 0};
+  for (const LinePair& pair : pairs_) {
+    const double value = at(pair.influence);
+    range = {std::min(range.first, value), std::max(range.second, value)};
+  }
+  return range;
+}
+
+bool LineMorpher::shows(SideName side, double t) const {
+  const auto [least, most] = dissolve_range(t);
+  return side == SideName::kSource ? least < 1 : most > 0;
+}
+
 warp::Image LineMorpher::frame(double t) const {
   const std::vector<warp::FieldLine> lines = field_lines(pairs_, t, stage_.unit);
-  const double whole = std::clamp(motion::progress(*project::effective(project_).dissolve, t), 0.0, 1.0);
-  const auto [least, most] =
-      std::minmax_element(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
-  const bool local = local_dissolve_ && least->value != most->value;
-  const double dissolve = local_dissolve_ ? least->value : whole;
-  const Moment moment{warp::LineField(lines, 2), static_cast<float>(dissolve), local,
-                      (local ? least->value : dissolve) < 1, (local ? most->value : dissolve) > 0};
+  const auto [least, most] = dissolve_range(t);
+  const Moment moment{warp::LineField(lines, 2), static_cast<float>(least), least != most, least<1, most> 0};
   warp::Image out = warp::pooled_image(stage_.size);
   warp::for_rows(
       out.rows,

@@ -1,6 +1,7 @@
 #pragma once
 // Morphing by feature lines: one pass of the field per scanline serves both pictures.
 
+#include <utility>
 #include <vector>
 
 #include "morph/render/inbetween.h"
@@ -14,6 +15,7 @@ class LineMorpher : public Morpher {
 
   void require(double) const override {}
   warp::Image frame(double t) const override;
+  bool shows(SideName side, double t) const override;
   warp::Map map(double t, SideName side) const override;
   std::size_t scratch_bytes() const override { return 0; }
   std::string description() const override;
@@ -21,6 +23,8 @@ class LineMorpher : public Morpher {
  private:
   struct Moment;
 
+  /// The least and the most that any pixel is dissolved at t, in [0, 1].
+  std::pair<double, double> dissolve_range(double t) const;
   void render_band(const Moment& moment, int top, warp::Image& out) const;
   void sample_side(const StageSide& side, warp::Map& positions, warp::Image& out) const;
 

@@ -104,7 +104,7 @@ void MeshMorpher::require(double t) const {
   const std::string place = project_.file.string() + ": /mesh";
   require_unfolded(mesh, fmt::format("at t = {:g} the in-between mesh folds over", t), place);
   for (const SideName side : {SideName::kSource, SideName::kDestination}) {
-    if (!shows(pair_, side, t)) continue;
+    if (!shows(side, t)) continue;
     require_unfolded(warp::intermediate_mesh(pair_.held(side), mesh, order(side)),
                      fmt::format("at t = {:g} the {} turns too far for two passes, {}, and folds between them", t,
                                  name_of(side), text_of(order(side))),

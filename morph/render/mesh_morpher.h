@@ -33,6 +33,7 @@ class MeshMorpher : public Morpher {
 
   void require(double t) const override;
   warp::Image frame(double t) const override;
+  bool shows(SideName side, double t) const override { return render::shows(pair_, side, t); }
   warp::Map map(double t, SideName side) const override;
   std::size_t scratch_bytes() const override;
   std::string description() const override;

@@ -28,6 +28,9 @@ class Morpher {
   /// @throws Error as `require`.
   virtual warp::Image frame(double t) const = 0;
 
+  /// Whether anything of that side's picture is in the frame at t.
+  virtual bool shows(SideName side, double t) const = 0;
+
   /// Source positions for every canvas pixel at t, px of that side's image file. Folds of lines show as they are;
   /// what is out of order in a mesh is squashed, as in the frame.
   virtual warp::Map map(double t, SideName side) const = 0;

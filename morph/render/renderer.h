@@ -45,6 +45,9 @@ class Renderer {
   /// What one call of `frame` takes, its result included.
   std::size_t frame_bytes() const;
 
+  /// Whether anything of that side's picture is in the frame at t, if the other one covers the canvas.
+  bool shows(SideName side, double t) const { return morpher_->shows(side, t); }
+
   /// Source positions for every canvas pixel at t, px of that side's image file.
   warp::Map map(double t, SideName side) const { return morpher_->map(t, side); }
 

@@ -12,6 +12,7 @@
 #include "morph/render/renderer.h"
 #include "tests/support/errors.h"
 #include "tests/support/pictures.h"
+#include "tests/unit/render/shows.h"
 #include "warp/parallel.h"
 
 namespace morphkit::render {
@@ -60,6 +61,16 @@ TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
         EXPECT_TRUE(same_bits(renderer.frame(0), a));
         EXPECT_TRUE(same_bits(renderer.frame(1), b));
       }
+}
+
+TEST(MeshMorpher, ASideShowsAsLongAsTheFrameDependsOnIt) {
+  project::Project project = mesh_project();
+  EXPECT_EQ(expect_shows_what_counts(project, kSize), 2) << "the other one at either end";
+  project.influence.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.3};
+  project.groups = {{"early", {}}};
+  project.groups[0].influence.dissolve = motion::Timing{motion::LinearEase{}, 0.2, 0.2};
+  project.mesh->groups = {{"early", {{2, 2}, {3, 2}}}};
+  EXPECT_EQ(expect_shows_what_counts(project, kSize), 3 + 3);
 }
 
 TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {

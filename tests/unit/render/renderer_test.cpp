@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/pictures.h"
+#include "tests/unit/render/shows.h"
 #include "warp/parallel.h"
 
 namespace morphkit::render {
@@ -83,6 +84,15 @@ TEST(Renderer, SameBytesForAnyNumberOfThreads) {
     EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
   }
   warp::set_threads(0);
+}
+
+TEST(Renderer, ASideShowsAsLongAsTheFrameDependsOnIt) {
+  project::Project project = small_project();
+  EXPECT_EQ(expect_shows_what_counts(project, kSize), 2) << "the other one at either end";
+  for (std::size_t i = 0; i < project.features.size(); ++i)
+    project.features[i].influence.dissolve =
+        motion::Timing{motion::LinearEase{}, 0.12 + 0.1 * static_cast<double>(i), 0.4};
+  EXPECT_EQ(expect_shows_what_counts(project, kSize), 4);
 }
 
 TEST(Renderer, MapIsInPixelsOfThePictureFileWhateverItsSize) {

@@ -1,0 +1,29 @@
+#pragma once
+// What a frame depends on, against what a renderer says of it.
+
+#include <gtest/gtest.h>
+
+#include "morph/render/renderer.h"
+#include "tests/support/pictures.h"
+
+namespace morphkit::render {
+
+/// Compares `shows` with frames of other pictures. @param size  of the pictures. @return how often a side is hidden.
+inline int expect_shows_what_counts(const project::Project& project, cv::Size size) {
+  using test::pictures;
+  const warp::Image a = test::random_image(size, 1), b = test::random_image(size, 2), c = test::random_image(size, 3);
+  const Renderer renderer(project, pictures(a, b)), other_source(project, pictures(c, b)),
+      other_destination(project, pictures(a, c));
+  int hidden = 0;
+  for (const double t : {0.0, 0.1, 0.15, 0.3, 0.45, 0.65, 0.8, 0.9, 1.0}) {
+    SCOPED_TRACE(t);
+    const warp::Image frame = renderer.frame(t);
+    const bool source = renderer.shows(SideName::kSource, t), destination = renderer.shows(SideName::kDestination, t);
+    EXPECT_EQ(source, !test::same_bits(frame, other_source.frame(t)));
+    EXPECT_EQ(destination, !test::same_bits(frame, other_destination.frame(t)));
+    hidden += !source + !destination;
+  }
+  return hidden;
+}
+
+}  // namespace morphkit::render
