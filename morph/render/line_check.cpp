@@ -13,13 +13,17 @@
 namespace morphkit::render {
 namespace {
 
-/// Lines closer than this, more parallel than this, and leading further apart than this are twins.
+/// Lines or points closer than this, more parallel than this, and leading further apart than this are twins.
 constexpr double kTwinDistancePx = 4;
 constexpr double kTwinSine = 0.17;  // 10 degrees
 constexpr double kTwinSpreadPx = 8;
 
 double cross(cv::Point2d a, cv::Point2d b) {
   return a.x * b.y - a.y * b.x;
+}
+
+double distance(cv::Point2d a, cv::Point2d b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 /// Where two segments cross in the inside of both; touching ends are no crossing.
@@ -38,27 +42,37 @@ double distance_to(const warp::Line& line, cv::Point2d x) {
   const cv::Point2d d = line.q - line.p;
   const double length2 = d.dot(d);
   const double u = length2 > 0 ? std::clamp((x - line.p).dot(d) / length2, 0.0, 1.0) : 0;
-  const cv::Point2d rest = x - (line.p + u * d);
-  return std::hypot(rest.x, rest.y);
+  return distance(x, line.p + u * d);
 }
 
-/// Nearly parallel and nearly in the same place.
-bool overlap(const warp::Line& a, const warp::Line& b) {
-  const cv::Point2d da = a.q - a.p, db = b.q - b.p;
-  const double lengths = std::hypot(da.x, da.y) * std::hypot(db.x, db.y);
-  if (lengths == 0 || std::abs(cross(da, db)) > kTwinSine * lengths) return false;
-  const warp::Line& shorter = da.dot(da) < db.dot(db) ? a : b;
-  const warp::Line& longer = &shorter == &a ? b : a;
+double length(const warp::Line& line) {
+  return distance(line.p, line.q);
+}
+
+/// Nearly in the same place, and nearly parallel if they are not points.
+bool overlap(const warp::Line& shorter, const warp::Line& longer) {
+  const double lengths = length(shorter) * length(longer);
+  if (lengths == 0) return length(longer) == 0 && distance(shorter.p, longer.p) < kTwinDistancePx;
+  if (std::abs(cross(shorter.q - shorter.p, longer.q - longer.p)) > kTwinSine * lengths) return false;
   return distance_to(longer, shorter.p) < kTwinDistancePx && distance_to(longer, shorter.q) < kTwinDistancePx;
 }
 
-/// How differently two pairs move what lies at their middle.
-double spread(const LinePair& a, const LinePair& b) {
-  const auto shift = [](const LinePair& pair) {
-    return (pair.destination.p + pair.destination.q - pair.source.p - pair.source.q) / 2.0;
-  };
-  const cv::Point2d difference = shift(a) - shift(b);
-  return std::hypot(difference.x, difference.y);
+/// Where a line and its partner carry a position, Beier and Neely 1992, sec. 3.1.
+cv::Point2d carried(const warp::Line& from, const warp::Line& to, cv::Point2d x) {
+  const cv::Point2d d = from.q - from.p, d_to = to.q - to.p;
+  const double size = length(from), size_to = length(to);
+  if (size == 0 || size_to == 0) return x + (to.p - from.p);
+  const double u = (x - from.p).dot(d) / (size * size);
+  const double v = cross(d, x - from.p) / size;
+  return to.p + u * d_to + v / size_to * cv::Point2d(-d_to.y, d_to.x);
+}
+
+/// Whether two pairs lie on each other on one side (`from`) but lead to different places on the other.
+bool are_twins(const warp::Line& from_a, const warp::Line& to_a, const warp::Line& from_b, const warp::Line& to_b) {
+  if (length(from_a) > length(from_b)) return are_twins(from_b, to_b, from_a, to_a);
+  if (!overlap(from_a, from_b)) return false;
+  return distance(carried(from_b, to_b, from_a.p), to_a.p) >= kTwinSpreadPx ||
+         distance(carried(from_b, to_b, from_a.q), to_a.q) >= kTwinSpreadPx;
 }
 
 class LineChecker {
@@ -129,9 +143,9 @@ class LineChecker {
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
         const LinePair &a = pairs_[i], &b = pairs_[j];
-        if (a.feature == b.feature || spread(a, b) < kTwinSpreadPx) continue;
-        const bool in_source = overlap(a.source, b.source);
-        if (!in_source && !overlap(a.destination, b.destination)) continue;
+        if (a.feature == b.feature) continue;
+        const bool in_source = are_twins(a.source, a.destination, b.source, b.destination);
+        if (!in_source && !are_twins(a.destination, a.source, b.destination, b.source)) continue;
         if (!said.insert({a.feature, b.feature}).second) continue;
         const SideName side = in_source ? SideName::kSource : SideName::kDestination;
         const warp::Line& line = in_source ? a.source : a.destination;

@@ -66,6 +66,32 @@ TEST(Check, NamesTwinsThatDisagree) {
                           [](const Finding& f) { return f.kind == Finding::Kind::kTwins && f.where == "source"; }));
 }
 
+TEST(Check, TwinsThatAgreeAreFine) {
+  project::Project project;
+  project.features = {line("a", {{10, 30}, {80, 30}}, {{10, 20}, {80, 50}}),
+                      line("b", {{24, 30}, {38, 30}}, {{24, 26}, {38, 32}}), point("c", {60, 10}, {61, 12}),
+                      point("d", {61, 12}, {62, 14})};
+  EXPECT_TRUE(findings(project).empty());
+}
+
+TEST(Check, NamesTwinsThatRunAgainstEachOther) {
+  project::Project project;
+  project.features = {line("a", {{10, 30}, {80, 30}}, {{10, 30}, {80, 30}}),
+                      line("b", {{10, 31}, {80, 31}}, {{80, 31}, {10, 31}})};
+  const std::vector<Finding> found = findings(project);
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(std::ranges::any_of(found, [](const Finding& f) { return f.kind == Finding::Kind::kTwins; }));
+}
+
+TEST(Check, NamesPointsThatTearOnePlaceApart) {
+  project::Project project;
+  project.features = {point("a", {40, 30}, {30, 30}), point("b", {42, 30}, {52, 30})};
+  const std::vector<Finding> found = findings(project);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].kind, Finding::Kind::kTwins);
+  EXPECT_EQ(found[0].features, (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(Check, NamesMarksOutsideTheirPicture) {
   project::Project project;
   project.features = {point("nose", {48, 32}, {48, 64.5})};
