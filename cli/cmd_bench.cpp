@@ -17,7 +17,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "cli/cmd_morph.h"
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
@@ -36,8 +36,9 @@ constexpr int kUsualLines = 50;
 const cv::Size kUsualSize(1920, 1080);
 constexpr double kMoment = 0.5;
 constexpr unsigned kSeed = 42;
+constexpr const char* kUnfinished = "nothing was measured to its end";
 
-struct Stage {
+struct Timing {
   const char* key;   ///< for machines
   const char* name;  ///< for people
   double ms = 0;     ///< of a frame; below 0: not measured
@@ -78,7 +79,7 @@ double median_ms(const std::function<void()>& work) {
   work();
   std::vector<double> times;
   for (double total = 0; times.size() < kFewest || (total < kEnoughMs && times.size() < kMost); total += times.back()) {
-    if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; nothing was measured to its end");
+    stop_if_interrupted(kUnfinished);
     times.push_back(elapsed_ms(work));
   }
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
@@ -147,13 +148,24 @@ Material make_material(const BenchOptions& options) {
   return material;
 }
 
-/// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
-void measure_rendering(const render::Renderer& renderer, std::vector<Stage>& stages) {
-  using render::SideName;
-  const warp::Map to_source = renderer.map(kMoment, SideName::kSource);
-  const warp::Map to_destination = renderer.map(kMoment, SideName::kDestination);
-  stages.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, SideName::kSource); }), ""});
+/// Where the pixels of a frame come from in a picture as it is held in memory.
+warp::Map held_map(const render::Renderer& renderer, render::SideName name) {
+  const render::StageSide& side = renderer.stage().side(name);
+  warp::Map map = renderer.map(kMoment, name);
+  for (warp::MapPoint& point : map) {
+    const cv::Point2d held = side.held.to_image(side.file.to_canvas({point[0], point[1]}));
+    point = {static_cast<float>(held.x), static_cast<float>(held.y)};
+  }
+  return map;
+}
 
+/// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
+void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timings) {
+  using render::SideName;
+  timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, SideName::kSource); }), ""});
+
+  const warp::Map to_source = held_map(renderer, SideName::kSource);
+  const warp::Map to_destination = held_map(renderer, SideName::kDestination);
   const auto sampled = [&](SideName name, const warp::Map& map) {
     const render::StageSide& side = renderer.stage().side(name);
     return warp::sample(side.image, map, {renderer.project().warp.filter, side.border});
@@ -164,7 +176,7 @@ void measure_rendering(const render::Renderer& renderer, std::vector<Stage>& sta
     source = sampled(SideName::kSource, to_source);
     destination = sampled(SideName::kDestination, to_destination);
   });
-  stages.push_back({"sampling", "sampling", sampling_ms, "both pictures"});
+  timings.push_back({"sampling", "sampling", sampling_ms, "both pictures"});
 
   const auto width = static_cast<std::size_t>(source.cols);
   const float half = 0.5F;
@@ -175,12 +187,12 @@ void measure_rendering(const render::Renderer& renderer, std::vector<Stage>& sta
                              renderer.project().blend);
     });
   });
-  stages.push_back({"dissolve", "dissolve", dissolve_ms, ""});
-  stages.push_back({"frame", "whole frame", median_ms([&] { renderer.frame(kMoment); }), "the three above together"});
+  timings.push_back({"dissolve", "dissolve", dissolve_ms, ""});
 }
 
-void measure_video(const render::Renderer& renderer, const warp::Image& frame, std::vector<Stage>& stages) {
+void measure_video(const render::Renderer& renderer, const warp::Image& frame, std::vector<Timing>& timings) {
   constexpr int kFrames = 24;
+  constexpr std::size_t kPacketsBytes = std::size_t{256} << 20;
   const ScratchFolder folder;
   media::SinkOptions options;
   options.size = renderer.size();
@@ -190,29 +202,38 @@ void measure_video(const render::Renderer& renderer, const warp::Image& frame, s
     sink = media::open_sink(folder.path() / "bench.mp4", options, false);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kIo) throw;
-    stages.push_back({"mp4", "to .mp4", -1, "not measured: " + std::string(error.message())});
+    timings.push_back({"mp4", "to .mp4", -1, "not measured: " + std::string(error.message())});
     return;
   }
-  stages.push_back({"raw_video", "to raw video", median_ms([&] { sink->encode(0, frame); }), "what ffmpeg is given"});
+  timings.push_back({"raw_video", "to raw video", median_ms([&] { sink->encode(0, frame); }), "what ffmpeg is given"});
+  // Different pictures, as many as fit: a codec is quick with one that stands still.
   std::vector<media::FrameSink::Packet> packets;
-  packets.reserve(kFrames);
-  for (int i = 0; i < kFrames; ++i)
+  while (packets.size() < 2 || (packets.size() < kFrames && packets.size() * packets[0].size() < kPacketsBytes)) {
+    stop_if_interrupted(kUnfinished);
+    const int i = static_cast<int>(packets.size());
     packets.push_back(sink->encode(i, renderer.frame(static_cast<double>(i) / (kFrames - 1))));
+  }
   const double ms = elapsed_ms([&] {
-    for (int i = 0; i < kFrames; ++i) sink->write(i, std::move(packets[static_cast<std::size_t>(i)]));
+    for (int i = 0; i < kFrames; ++i) {
+      stop_if_interrupted(kUnfinished);
+      sink->write(i, packets[static_cast<std::size_t>(i) % packets.size()]);
+    }
     sink->finish();
   });
-  stages.push_back({"mp4", "to .mp4", ms / kFrames, fmt::format("by ffmpeg on its own threads, {} frames", kFrames)});
+  timings.push_back({"mp4", "to .mp4", ms / kFrames, fmt::format("by ffmpeg on its own threads, {} frames", kFrames)});
 }
 
-std::vector<Stage> measure(const render::Renderer& renderer) {
-  std::vector<Stage> stages;
-  measure_rendering(renderer, stages);
+std::vector<Timing> measure(const render::Renderer& renderer) {
+  std::vector<Timing> timings;
+  const bool parts = project::method_of(renderer.project()) == project::Method::kLines;
+  if (parts) measure_parts(renderer, timings);
+  timings.push_back(
+      {"frame", "whole frame", median_ms([&] { renderer.frame(kMoment); }), parts ? "the three above together" : ""});
   const warp::Image frame = renderer.frame(kMoment);
   const double png_ms = median_ms([&] { media::encode_image("bench.png", frame); });
-  stages.push_back({"png", "to 8-bit PNG", png_ms, "one thread; morph does several frames at once"});
-  measure_video(renderer, frame, stages);
-  return stages;
+  timings.push_back({"png", "to 8-bit PNG", png_ms, "one thread; morph does several frames at once"});
+  measure_video(renderer, frame, timings);
+  return timings;
 }
 
 std::string filter_name(warp::Filter filter) {
@@ -221,20 +242,20 @@ std::string filter_name(warp::Filter filter) {
   return found == filter_names().end() ? "unknown" : found->first;
 }
 
-void print_text(const render::Renderer& renderer, const std::vector<Stage>& stages, Output& output) {
+void print_text(const render::Renderer& renderer, const std::vector<Timing>& timings, Output& output) {
   output.line(fmt::format("{}x{}, {}; filter {}; {} thread{}; vectors {}", renderer.size().width,
                           renderer.size().height, renderer.description(), filter_name(renderer.project().warp.filter),
                           warp::threads(), warp::threads() == 1 ? "" : "s", warp::vector_target()));
-  for (const Stage& stage : stages) {
-    const std::string time = stage.ms < 0 ? "-" : fmt::format("{:.2f}", stage.ms);
-    const std::string note = stage.note.empty() ? "" : "   " + stage.note;
-    output.line(fmt::format("  {:<14}{:>9} ms{}", stage.name, time, note));
+  for (const Timing& timing : timings) {
+    const std::string time = timing.ms < 0 ? "-" : fmt::format("{:.2f}", timing.ms);
+    const std::string note = timing.note.empty() ? "" : "   " + timing.note;
+    output.line(fmt::format("  {:<14}{:>9} ms{}", timing.name, time, note));
   }
 }
 
-void print_json(const render::Renderer& renderer, const std::vector<Stage>& stages, Output& output) {
+void print_json(const render::Renderer& renderer, const std::vector<Timing>& timings, Output& output) {
   Report times;
-  for (const Stage& stage : stages) times.set(stage.key, stage.ms < 0 ? Report(nullptr) : Report(stage.ms));
+  for (const Timing& timing : timings) times.set(timing.key, timing.ms < 0 ? Report(nullptr) : Report(timing.ms));
   Report report;
   report.set("width", renderer.size().width).set("height", renderer.size().height);
   report.set("work", renderer.description()).set("filter", filter_name(renderer.project().warp.filter));
@@ -269,8 +290,8 @@ void add_bench(CLI::App& app, Session& session) {
 int run_bench(const BenchOptions& options, Output& output) {
   Material material = make_material(options);
   const render::Renderer renderer(std::move(material.project), material.pictures);
-  const std::vector<Stage> stages = measure(renderer);
-  options.json ? print_json(renderer, stages, output) : print_text(renderer, stages, output);
+  const std::vector<Timing> timings = measure(renderer);
+  options.json ? print_json(renderer, timings, output) : print_text(renderer, timings, output);
   return 0;
 }
 

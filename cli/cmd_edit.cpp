@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/edit/editor.h"
@@ -42,7 +43,7 @@ void require_picture(const project::Project& project, const project::Side& side,
 }
 
 cv::Size window_size(const std::string& text) {
-  const cv::Size size = parse_size(text);
+  const cv::Size size = parse_size(text, "--window");
   const cv::Size least = edit::kLeastCanvas;
   if (size.width < least.width || size.height < least.height || size.width > 7680 || size.height > 4320)
     throw Error(ErrorCode::kUsage, "--window",

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/frame_range.h"
@@ -35,8 +36,7 @@ int write_frames(const MapOptions& options, const render::Renderer& renderer, Ou
   ProgressBar bar(output, "maps");
   int done = 0;
   for (const int frame : frames) {
-    if (interrupted())
-      throw Error(ErrorCode::kInterrupted, "", fmt::format("interrupted after {} of {} maps", done, frames.size()));
+    stop_if_interrupted(fmt::format("{} of {} maps were written", done, frames.size()));
     write_moment(options, renderer, renderer.time_of(frame), pattern(frame));
     bar.update(++done, 0, static_cast<int>(frames.size()));
   }

@@ -1,7 +1,6 @@
 #include "cli/cmd_morph.h"
 
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
@@ -30,17 +30,6 @@ const std::map<std::string, project::Fit> kFits{{"contain", project::Fit::kConta
                                                 {"stretch", project::Fit::kStretch},
                                                 {"none", project::Fit::kNone}};
 
-/// Two positive whole numbers joined by `separator`.
-std::optional<std::pair<int, int>> two_numbers(const std::string& text, char separator) {
-  const char* const end = text.data() + text.size();
-  std::pair<int, int> numbers;
-  const auto first = std::from_chars(text.data(), end, numbers.first);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
-  if (second.ec != std::errc() || second.ptr != end || numbers.first < 1 || numbers.second < 1) return std::nullopt;
-  return numbers;
-}
-
 void apply_overrides(const MorphOptions& options, project::Project& project) {
   project::Output& output = project.output;
   if (!options.size.empty()) output.size = parse_size(options.size);
@@ -48,11 +37,7 @@ void apply_overrides(const MorphOptions& options, project::Project& project) {
   if (!options.filter.empty()) project.warp.filter = filter_names().at(options.filter);
   if (!options.field.empty()) project.warp.field = field_names().at(options.field);
   if (options.frame_count > 0) output.frames = options.frame_count;
-  if (options.fps.empty()) return;
-  const auto rate = two_numbers(options.fps.find('/') == std::string::npos ? options.fps + "/1" : options.fps, '/');
-  if (!rate)
-    throw Error(ErrorCode::kUsage, "--fps", fmt::format("'{}' is no rate; write 25 or 30000/1001", options.fps));
-  std::tie(output.fps_num, output.fps_den) = *rate;
+  if (!options.fps.empty()) output.fps = parse_fps(options.fps);
 }
 
 void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
@@ -64,8 +49,7 @@ void say_what_was_read(const project::Project& project, const render::Pictures& 
   else if (project.features.empty())
     output.warning(
         "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
-        "corresponds: lines, points and curves in a project file. 'morphkit demo' writes one to copy from; "
-        "docs/project-file.md explains it");
+        "corresponds: 'morphkit edit' opens a window for that; 'morphkit demo' writes a project file to copy from");
 }
 
 media::SinkOptions sink_options(const MorphOptions& options, const render::Renderer& renderer,
@@ -73,8 +57,8 @@ media::SinkOptions sink_options(const MorphOptions& options, const render::Rende
   const project::Output& output = renderer.project().output;
   media::SinkOptions sink;
   sink.size = renderer.size();
-  sink.fps_num = output.fps_num;
-  sink.fps_den = output.fps_den;
+  sink.fps_num = output.fps.num;
+  sink.fps_den = output.fps.den;
   sink.has_alpha = renderer.has_alpha();
   sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
   sink.image.depth = media::depth_from(options.depth);
@@ -188,7 +172,7 @@ void add_options(CLI::App& command, MorphOptions& options) {
   command.add_option("--field", options.field, "How the field of lines is evaluated: adaptive (default), exact")
       ->type_name("FIELD")
       ->check(CLI::IsMember(field_names()));
-  command.add_option("--fps", options.fps, "Frames per second of a video: 25, 30000/1001")->type_name("RATE");
+  command.add_option("--fps", options.fps, "Frames per second of a video: 25, 29.97, 30000/1001")->type_name("RATE");
   command.add_option("--depth", options.depth, "Bits of frame files: 8, 16, half, float")->type_name("DEPTH");
   command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
       ->type_name("Q")
@@ -249,34 +233,6 @@ void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& 
 std::string unused_mesh_note(const project::Project& project) {
   if (!project.mesh || project::method_of(project) == project::Method::kMesh) return "";
   return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
-}
-
-const std::map<std::string, warp::Filter>& filter_names() {
-  static const std::map<std::string, warp::Filter> names{
-      {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
-      {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
-  return names;
-}
-
-const std::map<std::string, warp::FieldAccuracy>& field_names() {
-  static const std::map<std::string, warp::FieldAccuracy> names{{"adaptive", warp::FieldAccuracy::kAdaptive},
-                                                                {"exact", warp::FieldAccuracy::kExact}};
-  return names;
-}
-
-cv::Size parse_size(const std::string& text) {
-  constexpr int kLimit = 65536;
-  const auto size = two_numbers(text, 'x');
-  if (!size)
-    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
-  if (size->first > kLimit || size->second > kLimit)
-    throw Error(ErrorCode::kUsage, "--size", fmt::format("'{}' is too large; at most {} pixels a side", text, kLimit));
-  return {size->first, size->second};
-}
-
-void require_moment(double t) {
-  if (t >= 0 && t <= 1) return;
-  throw Error(ErrorCode::kUsage, "-t", fmt::format("{} is no moment; 0 is the source, 1 the destination", t));
 }
 
 int run_morph(const MorphOptions& options, Output& output) {

@@ -2,7 +2,6 @@
 // morphkit morph: render a morph into frames, a video, an animation or one picture.
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +26,7 @@ struct MorphOptions {
   std::optional<double> t;  ///< one picture at this moment instead of frames
   int frame_count = 0;      ///< 0: as the project says
   std::string size;         ///< "1280x720"; empty: as the project says
-  std::string fps;          ///< "25", "30000/1001"; empty: as the project says
+  std::string fps;          ///< "25", "29.97", "30000/1001"; empty: as the project says
   std::string filter;       ///< of filter_names(); empty: as the project says
   std::string field;        ///< of field_names(); empty: as the project says
   std::string fit;          ///< "contain" | "cover" | "stretch" | "none"; empty: as the project says
@@ -55,15 +54,5 @@ void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& 
 
 /// What to say of a project whose mesh is not used; empty if there is nothing to say.
 std::string unused_mesh_note(const project::Project& project);
-
-/// What --filter and --field may say.
-const std::map<std::string, warp::Filter>& filter_names();
-const std::map<std::string, warp::FieldAccuracy>& field_names();
-
-/// "1280x720". @throws Error kUsage if it is no size.
-cv::Size parse_size(const std::string& text);
-
-/// @throws Error kUsage unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
-void require_moment(double t);
 
 }  // namespace morphkit::cli

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -82,10 +83,6 @@ void require_free(const WarpOptions& options) {
       throw Error(ErrorCode::kIo, file.string(), "already exists; use --overwrite to replace it");
 }
 
-void stop_if_interrupted() {
-  if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; nothing more was written");
-}
-
 /// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
 warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size size, Output& output) {
   const NamedMesh to = read_mesh(options.mesh, render::SideName::kDestination, size, output);
@@ -157,7 +154,7 @@ int run_warp(const WarpOptions& options, Output& output) {
   warn_of_nonfinite(options.image, picture, output);
   const cv::Size size = options.size.empty() ? picture.image.size() : parse_size(options.size);
   const warp::MeshWarp warp = mesh_warp(options, picture.image.size(), size, output);
-  stop_if_interrupted();
+  stop_if_interrupted("nothing was written");
 
   media::WriteOptions write;
   write.alpha = picture.info.has_alpha || picture.nonfinite_pixels > 0;
@@ -167,9 +164,9 @@ int run_warp(const WarpOptions& options, Output& output) {
   if (options.quality >= 0) write.quality = options.quality;
   // A mesh reaches the borders of both images, so the edge goes on where rounding leaves a gap.
   const warp::Image between = warp.first_pass(picture.image, size, warp::Border::kClamp);
-  stop_if_interrupted();
+  stop_if_interrupted("nothing was written");
   const warp::Image bent = warp.second_pass(between, size, warp::Border::kClamp);
-  stop_if_interrupted();
+  stop_if_interrupted("nothing was written");
   if (!options.intermediate.empty()) media::write_image(options.intermediate, between, write);
   media::write_image(options.output, bent, write);
   output.note(fmt::format("{}: {}x{}", options.output.string(), size.width, size.height));

@@ -70,7 +70,7 @@ void add_side(const char* label, const project::Project& project, const project:
 }
 
 std::string fps_text(const project::Output& output) {
-  return output.fps_den == 1 ? fmt::format("{}", output.fps_num) : fmt::format("{}/{}", output.fps_num, output.fps_den);
+  return output.fps.den == 1 ? fmt::format("{}", output.fps.num) : fmt::format("{}/{}", output.fps.num, output.fps.den);
 }
 
 const char* fit_name(project::Fit fit) {
@@ -122,7 +122,7 @@ void add_features(const project::Project& project, FileInfo& info) {
 void add_output(const project::Output& output, FileInfo& info) {
   const std::string size =
       output.size ? fmt::format("{}x{}", output.size->width, output.size->height) : "the size of the source";
-  const double duration_s = static_cast<double>(output.frames) * output.fps_den / output.fps_num;
+  const double duration_s = static_cast<double>(output.frames) * output.fps.den / output.fps.num;
   info.text += fmt::format("  output       {}, {}; frames {}-{} at {} fps ({:.2f} s)\n", size, fit_name(output.fit),
                            output.start, output.start + output.frames - 1, fps_text(output), duration_s);
   Report report;

@@ -5,6 +5,8 @@
 
 #include <signal.h>
 
+#include "morph/error.h"
+
 namespace morphkit::cli {
 namespace {
 
@@ -35,6 +37,10 @@ void install_interrupt_handlers() {
 
 bool interrupted() noexcept {
   return interrupt_flag.load();
+}
+
+void stop_if_interrupted(const std::string& what) {
+  if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; " + what);
 }
 
 }  // namespace morphkit::cli

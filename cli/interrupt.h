@@ -1,6 +1,8 @@
 #pragma once
 // SIGINT, SIGTERM and SIGHUP ask the program to stop cleanly; a second one stops it at once.
 
+#include <string>
+
 namespace morphkit::cli {
 
 /// Installs the handlers. A signal that the caller had ignored (nohup, a shell's background job) stays ignored.
@@ -8,5 +10,9 @@ void install_interrupt_handlers();
 
 /// Whether one of the signals has arrived. Any thread, any time.
 bool interrupted() noexcept;
+
+/// @throws Error kInterrupted if one of the signals has arrived. @param what  has become of the work: "nothing was
+/// written".
+void stop_if_interrupted(const std::string& what);
 
 }  // namespace morphkit::cli

@@ -382,7 +382,7 @@ SideName Gestures::side_at_hand() const {
 void Gestures::tick(double seconds) {
   if (!model_.playing) return;
   const project::Output& output = model_.document.project().output;
-  const double length_s = std::max(1, output.frames - 1) * static_cast<double>(output.fps_den) / output.fps_num;
+  const double length_s = std::max(1, output.frames - 1) * static_cast<double>(output.fps.den) / output.fps.num;
   double t = model_.t + direction_ * seconds * model_.speed / length_s;
   if (t > 1) direction_ = -1;
   if (t < 0) direction_ = 1;

@@ -172,8 +172,7 @@ ObjectBuilder output_object(const Output& output, bool defaults) {
   object.unless(output.fit == usual.fit, "fit", named(kFits, output.fit));
   object.unless(output.frames == usual.frames, "frames", Node::of_number(output.frames));
   object.unless(output.start == usual.start, "start", Node::of_number(output.start));
-  const bool usual_rate = output.fps_num == usual.fps_num && output.fps_den == usual.fps_den;
-  object.unless(usual_rate, "fps", fps_node({output.fps_num, output.fps_den}));
+  object.unless(output.fps == usual.fps, "fps", fps_node(output.fps));
   object.unless(output.background == usual.background, "background", background_node(output.background));
   return object;
 }

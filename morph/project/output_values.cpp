@@ -21,11 +21,29 @@ constexpr const char* kFpsForms = "a frame rate such as 24, 29.97 or \"30000/100
 constexpr std::pair<double, int> kDecimalRates[] = {{23.976, 24}, {23.98, 24}, {29.97, 30},
                                                     {47.952, 48}, {59.94, 60}, {119.88, 120}};
 
+std::optional<Rate> named_rate(double decimal) {
+  for (const auto& [name, rounded] : kDecimalRates)
+    if (name == decimal) return Rate{rounded * 1000, 1001};
+  return std::nullopt;
+}
+
 std::optional<int> parse_term(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > kMaxFpsTerm) return {};
   return value;
+}
+
+std::optional<Rate> parse_fraction(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  const auto num = parse_term(text.substr(0, slash));
+  const auto den = slash == std::string_view::npos ? 1 : parse_term(text.substr(slash + 1));
+  if (!num || !den) return std::nullopt;
+  return Rate{*num, *den};
+}
+
+bool too_fast(Rate rate) {
+  return rate.num > rate.den * static_cast<long long>(kMaxFps);
 }
 
 int hex_digit(char c) {
@@ -75,24 +93,27 @@ std::optional<std::string> hex_text(const Color& color) {
 
 }  // namespace
 
+std::optional<Rate> parse_rate(const std::string& text) {
+  double decimal = 0;
+  const char* const end = text.data() + text.size();
+  if (const auto read = std::from_chars(text.data(), end, decimal); read.ec == std::errc() && read.ptr == end)
+    if (const auto rate = named_rate(decimal)) return rate;
+  const auto rate = parse_fraction(text);
+  return rate && !too_fast(*rate) ? rate : std::nullopt;
+}
+
 Rate read_fps(const Cursor& at) {
   if (at.is(Kind::kNumber)) {
     const double value = at.node().number;
-    const auto decimal = std::find_if(std::begin(kDecimalRates), std::end(kDecimalRates),
-                                      [&](const auto& entry) { return entry.first == value; });
-    if (decimal != std::end(kDecimalRates)) return {decimal->second * 1000, 1001};
+    if (const auto rate = named_rate(value)) return *rate;
     if (value != std::trunc(value)) at.fail_expected("a whole number or a fraction such as \"25/2\"");
     return {at.integer(1, kMaxFps), 1};
   }
   if (!at.is(Kind::kString)) at.fail_expected(kFpsForms);
-  const std::string& text = at.string();
-  const std::size_t slash = text.find('/');
-  const auto num = parse_term(std::string_view(text).substr(0, slash));
-  const auto den = slash == std::string::npos ? 1 : parse_term(std::string_view(text).substr(slash + 1));
-  if (!num || !den) at.fail_expected(kFpsForms);
-  if (*num > *den * static_cast<long long>(kMaxFps))
-    at.fail_expected(fmt::format("at most {} frames per second", kMaxFps));
-  return {*num, *den};
+  const auto rate = parse_fraction(at.string());
+  if (!rate) at.fail_expected(kFpsForms);
+  if (too_fast(*rate)) at.fail_expected(fmt::format("at most {} frames per second", kMaxFps));
+  return *rate;
 }
 
 Background read_background(const Cursor& at) {

@@ -112,12 +112,22 @@ struct Color {
 /// What lies behind the morph: a colour (alpha 0: transparency) or an image, placed with `cover`.
 using Background = std::variant<Color, std::filesystem::path>;
 
+/// Frames per second as a fraction; terms of at least 1.
+struct Rate {
+  int num = 24, den = 1;
+  bool operator==(const Rate&) const = default;
+};
+
+/// "24", "25/2", or "29.97" and its kin, which mean the exact rates of video (30000/1001).
+/// @return nothing if it is no rate that a project may have.
+std::optional<Rate> parse_rate(const std::string& text);
+
 struct Output {
   std::optional<cv::Size> size;  ///< px; nothing: the size of the source image
   Fit fit = Fit::kCover;
   int frames = 48;  ///< >= 1
   int start = 1;    ///< number of the first frame
-  int fps_num = 24, fps_den = 1;
+  Rate fps;
   Background background = Color{};
   bool operator==(const Output&) const = default;
 };

@@ -201,11 +201,7 @@ Output read_output(const Cursor& at) {
   if (const auto fit = at.find("fit")) output.fit = choose(*fit, "fit", kFits);
   if (const auto frames = at.find("frames")) output.frames = frames->integer(1, kMaxFrames);
   if (const auto start = at.find("start")) output.start = start->integer(0, kMaxStart);
-  if (const auto fps = at.find("fps")) {
-    const Rate rate = read_fps(*fps);
-    output.fps_num = rate.num;
-    output.fps_den = rate.den;
-  }
+  if (const auto fps = at.find("fps")) output.fps = read_fps(*fps);
   if (const auto background = at.find("background")) output.background = read_background(*background);
   return output;
 }

@@ -58,11 +58,6 @@ T choose(const Cursor& at, const std::string& what, const std::pair<std::string_
   return at.choice<T>(what, names);
 }
 
-struct Rate {
-  int num = 24, den = 1;
-  bool operator==(const Rate&) const = default;
-};
-
 motion::Timing read_timing(const Cursor& at);
 Rate read_fps(const Cursor& at);
 Background read_background(const Cursor& at);

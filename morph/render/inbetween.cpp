@@ -14,11 +14,6 @@ namespace {
 constexpr double kChordTolerancePx = 0.75;
 constexpr int kMaxChords = 48;
 
-/// std::lerp gives both ends exactly and stays put where they are equal; (1 - s) a + s b does neither.
-cv::Point2d lerp(cv::Point2d a, cv::Point2d b, double s) {
-  return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s)};
-}
-
 std::vector<cv::Point2d> on_canvas(const std::vector<cv::Point2d>& points, const Placement& placement) {
   std::vector<cv::Point2d> result;
   result.reserve(points.size());

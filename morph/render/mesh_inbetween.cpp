@@ -74,10 +74,6 @@ warp::Mesh between(const MeshPair& pair, double t) {
   std::vector<double> progress;
   progress.reserve(pair.timings.size());
   for (const project::Influence& influence : pair.timings) progress.push_back(motion::progress(*influence.shape, t));
-  // std::lerp gives both ends exactly and stays put where they are equal.
-  const auto lerp = [](cv::Point2d a, cv::Point2d b, double s) {
-    return cv::Point2d(std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s));
-  };
   warp::Mesh mesh = pair.source_canvas;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     mesh.vertices[i] =

@@ -1,11 +1,18 @@
 #pragma once
-// Where a picture of its own size lies on the canvas.
+// Where a picture of its own size lies on the canvas, and places between two.
+
+#include <cmath>
 
 #include <opencv2/core/types.hpp>
 
 #include "morph/project/project.h"
 
 namespace morphkit::render {
+
+/// std::lerp gives both ends exactly and stays put where they are equal; (1 - s) a + s b does neither.
+inline cv::Point2d lerp(cv::Point2d a, cv::Point2d b, double s) {
+  return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s)};
+}
 
 /// canvas = image * scale + offset, per axis.
 struct Placement {

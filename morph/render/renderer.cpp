@@ -50,7 +50,7 @@ void Renderer::make_background(const std::optional<media::Picture>& picture) {
       const cv::Point2d position = placement.to_image({x + 0.5, y + 0.5});
       map(y, x) = {static_cast<float>(position.x), static_cast<float>(position.y)};
     }
-  background_ = warp::sample(picture->image, map, {warp::Filter::kBicubic, warp::Border::kClamp});
+  background_ = warp::sample(picture->image, map, {warp::Filter::kArea, warp::Border::kClamp});
 }
 
 double Renderer::time_of(int frame) const noexcept {

@@ -100,8 +100,8 @@ class Job {
   std::unique_ptr<media::FrameSink> sink() const {
     media::SinkOptions options;
     options.size = renderer_.size();
-    options.fps_num = renderer_.project().output.fps_num;
-    options.fps_den = renderer_.project().output.fps_den;
+    options.fps_num = renderer_.project().output.fps.num;
+    options.fps_den = renderer_.project().output.fps.den;
     options.has_alpha = renderer_.has_alpha();
     options.image.alpha = renderer_.has_alpha();
     options.image.overwrite = true;

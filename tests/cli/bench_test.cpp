@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
@@ -32,6 +33,18 @@ TEST(Bench, JsonHasTheStagesByName) {
                           "\"threads\": ", "\"vectors\": ", "\"field\": ", "\"sampling\": ", "\"dissolve\": ",
                           "\"frame\": ", "\"png\": ", "\"raw_video\": ", "\"mp4\": "})
     EXPECT_TRUE(contains(result.out, key)) << key << " in " << result.out;
+}
+
+TEST(Bench, AMeshIsMeasuredAsAWholeFrame) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "b.png"})
+    media::write_image(folder / name, warp::Image(60, 80, warp::Pixel(0.5F, 0.25F, 0, 1)));
+  write_text(folder / "pair.json", R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"},
+    "mesh": {"size": [2, 2]}})");
+  const RunResult result = run_morphkit({"bench", (folder / "pair.json").string()});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "whole frame")) << result.out;
+  for (const char* part : {"  field", "sampling", "dissolve"}) EXPECT_FALSE(contains(result.out, part)) << result.out;
 }
 
 TEST(Bench, WhatCannotBeMeantIsRefused) {

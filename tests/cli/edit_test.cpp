@@ -50,7 +50,9 @@ TEST_F(Edit, RefusesWhatIsNotToBeUnderstood) {
   EXPECT_EQ(run({}).exit_code, 2);
   EXPECT_EQ(run({"a.png"}).exit_code, 2);
   EXPECT_EQ(run({"a.png", "b.png", "--window", "100x100"}).exit_code, 2);
-  EXPECT_EQ(run({"a.png", "b.png", "--window", "large"}).exit_code, 2);
+  const test::RunResult large = run({"a.png", "b.png", "--window", "large"});
+  EXPECT_EQ(large.exit_code, 2);
+  EXPECT_NE(large.err.find("--window: 'large' is no size"), std::string::npos) << large.err;
   EXPECT_EQ(run({"missing.json"}).exit_code, 4);
   test::write_text(folder_ / "bad.json", "{");
   EXPECT_EQ(run({"bad.json"}).exit_code, 3);

@@ -98,7 +98,7 @@ TEST_F(Morph, WithoutFeaturesDissolvesAndSaysHowToMarkThem) {
   const RunResult result = run({"morph", "a.png", "b.png", "-n", "2", "-o", "out.####.png"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_TRUE(contains(result.err, "no features")) << result.err;
-  EXPECT_TRUE(contains(result.err, "project-file.md")) << result.err;
+  EXPECT_TRUE(contains(result.err, "morphkit edit")) << result.err;
 }
 
 TEST_F(Morph, AnyChunkingAndAnyThreadsGiveTheSameBytes) {
@@ -239,6 +239,8 @@ TEST_F(Morph, RefusesWrongUse) {
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--frames", "0-5"}), 2, {"0"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--frames", "5-x"}), 2, {"5-x"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--size", "640"}), 2, {"640", "1280x720"});
+  expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--size", "40000x40000"}), 2,
+               {"--size", "40000x40000", "too large", "65536"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--fps", "fast"}), 2, {"fast", "30000/1001"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--fit", "squash"}), 2, {"squash"});
   expect_error(run({"morph", "pair.json", "-o", "out.%d.png", "--filter", "sharp"}), 2, {"--filter", "sharp"});

@@ -237,8 +237,7 @@ TEST_F(GestureSession, WhatWasHeldMayHaveGone) {
 TEST_F(GestureSession, TimeGoesForthAndBack) {
   project::Project project = document().project();
   project.output.frames = 51;
-  project.output.fps_num = 25;
-  project.output.fps_den = 1;
+  project.output.fps = {25, 1};
   model.document.replace(project);  // 2 s
   model.t = 0.5;
   gestures.tick(1);

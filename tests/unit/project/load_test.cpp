@@ -125,18 +125,24 @@ TEST(Load, AllGoodDocuments) {
 }
 
 TEST(Load, FrameRates) {
-  const auto rate = [](const std::string& fps) {
-    const Output output = parse(with_output("\"fps\": " + fps), "").output;
-    return std::pair(output.fps_num, output.fps_den);
-  };
-  EXPECT_EQ(rate("25"), std::pair(25, 1));
-  EXPECT_EQ(rate("25.0"), std::pair(25, 1));
-  EXPECT_EQ(rate("\"25\""), std::pair(25, 1));
-  EXPECT_EQ(rate("\"25/2\""), std::pair(25, 2));
-  EXPECT_EQ(rate("\"30000/1001\""), std::pair(30000, 1001));
-  EXPECT_EQ(rate("23.976"), std::pair(24000, 1001));
-  EXPECT_EQ(rate("29.97"), std::pair(30000, 1001));
-  EXPECT_EQ(rate("59.94"), std::pair(60000, 1001));
+  const auto rate = [](const std::string& fps) { return parse(with_output("\"fps\": " + fps), "").output.fps; };
+  EXPECT_EQ(rate("25"), (Rate{25, 1}));
+  EXPECT_EQ(rate("25.0"), (Rate{25, 1}));
+  EXPECT_EQ(rate("\"25\""), (Rate{25, 1}));
+  EXPECT_EQ(rate("\"25/2\""), (Rate{25, 2}));
+  EXPECT_EQ(rate("\"30000/1001\""), (Rate{30000, 1001}));
+  EXPECT_EQ(rate("23.976"), (Rate{24000, 1001}));
+  EXPECT_EQ(rate("29.97"), (Rate{30000, 1001}));
+  EXPECT_EQ(rate("59.94"), (Rate{60000, 1001}));
+}
+
+TEST(Load, FrameRatesAsPeopleTypeThem) {
+  EXPECT_EQ(parse_rate("25"), (Rate{25, 1}));
+  EXPECT_EQ(parse_rate("25/2"), (Rate{25, 2}));
+  EXPECT_EQ(parse_rate("23.976"), (Rate{24000, 1001}));
+  EXPECT_EQ(parse_rate("29.97"), (Rate{30000, 1001}));
+  for (const char* text : {"", "fast", "12.5", "0", "-24", "24/0", "1001", "24 ", "24/1/1", "1e9", "nan"})
+    EXPECT_FALSE(parse_rate(text)) << text;
 }
 
 TEST(Load, Backgrounds) {

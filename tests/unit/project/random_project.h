@@ -247,8 +247,7 @@ class RandomProject {
     output.fit = pick({Fit::kContain, Fit::kCover, Fit::kStretch, Fit::kNone});
     output.frames = pick({48, integer(1, 10'000'000)});
     output.start = pick({1, integer(0, 100'000)});
-    if (coin())
-      std::tie(output.fps_num, output.fps_den) = pick<std::pair<int, int>>({{25, 1}, {30000, 1001}, {48, 2}, {1, 7}});
+    if (coin()) output.fps = pick<Rate>({{25, 1}, {30000, 1001}, {48, 2}, {1, 7}});
     switch (integer(0, 3)) {
       case 0:
         output.background = Color{integer(0, 255) / 255.0, integer(0, 255) / 255.0, 0, pick({0.0, 1.0, 128 / 255.0})};

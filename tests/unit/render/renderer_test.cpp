@@ -118,6 +118,21 @@ TEST(Renderer, LargePicturesAreAveragedNotSkipped) {
   for (const warp::Pixel& pixel : frame) ASSERT_NEAR(pixel[0], 0.5, 1e-5);
 }
 
+TEST(Renderer, LargeBackgroundsAreAveragedNotSkipped) {
+  // A third of the size of a fence of one pixel: every third pixel by itself is black or white.
+  warp::Image fence(3 * kSize.height, 3 * kSize.width);
+  for (int y = 0; y < fence.rows; ++y)
+    for (int x = 0; x < fence.cols; ++x) fence(y, x) = x % 2 == 0 ? warp::Pixel(1, 1, 1, 1) : warp::Pixel(0, 0, 0, 1);
+  const warp::Image nothing(kSize, warp::Pixel(0, 0, 0, 0));
+  Pictures both = pictures(nothing, nothing, true);
+  both.background = media::Picture{};
+  both.background->image = fence;
+  project::Project project;
+  project.output.background = "fence.png";
+  const warp::Image frame = Renderer(project, both).frame(0.5);
+  for (const warp::Pixel& pixel : frame) ASSERT_NEAR(pixel[0], 0.5, 0.25);
+}
+
 TEST(Renderer, LocalDissolveFollowsTheNearestFeature) {
   project::Project project;
   project.influence.a = 0.01;
