@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 #include <signal.h>
 
@@ -10,14 +12,23 @@
 namespace morphkit::cli {
 namespace {
 
-std::atomic<bool> interrupt_flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only use lock-free atomics");
+/// When the first signal came, ns of the monotonic clock; 0: none has.
+std::atomic<std::int64_t> first_signal_ns{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler may only use lock-free atomics");
+
+/// Who signals the process and then its group, as `timeout` does, means one request.
+constexpr std::int64_t kOneRequestNs = 500'000'000;
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-extern "C" void on_interrupt(int) {
-  interrupt_flag.store(true);
-  for (const int signal_number : kSignals) std::signal(signal_number, SIG_DFL);
+extern "C" void on_interrupt(int signal_number) {
+  timespec time = {};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  const std::int64_t now_ns = std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  std::int64_t first_ns = 0;
+  if (first_signal_ns.compare_exchange_strong(first_ns, now_ns) || now_ns - first_ns < kOneRequestNs) return;
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);  // arrives when this handler returns
 }
 
 }  // namespace
@@ -36,7 +47,7 @@ void install_interrupt_handlers() {
 }
 
 bool interrupted() noexcept {
-  return interrupt_flag.load();
+  return first_signal_ns.load() != 0;
 }
 
 void stop_if_interrupted(const std::string& what) {

@@ -1,5 +1,6 @@
 #pragma once
-// SIGINT, SIGTERM and SIGHUP ask the program to stop cleanly; a second one stops it at once.
+// SIGINT, SIGTERM and SIGHUP ask the program to stop cleanly; a second one, half a second later or more,
+// stops it at once.
 
 #include <string>
 

@@ -223,6 +223,15 @@ TEST_F(Morph, AnInterruptedVideoLeavesNothing) {
                {"interrupted"});
 }
 
+TEST_F(Morph, SignalsInOneMomentAreOneRequest) {
+  RunOptions options;
+  options.marker = "frames/s";
+  options.send = SIGTERM;
+  options.send_count = 2;  // as `timeout` sends it to a process and to its group
+  expect_error(run({"morph", "pair.json", "--size", "640x480", "-n", "200", "-o", "out.mp4"}, options), 130,
+               {"interrupted"});
+}
+
 TEST_F(Morph, AVideoNeedsFfmpegAndSaysSo) {
   RunOptions options;
   options.environment = {"PATH=/nowhere"};

@@ -3,10 +3,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -113,6 +115,19 @@ pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>
   return child;
 }
 
+/// Until the child has taken a signal; two that wait to be taken are one.
+void wait_until_taken(pid_t child, int signal_number) {
+  const std::string file = "/proc/" + std::to_string(child) + "/status";
+  const auto waits = [&] {
+    std::ifstream status(file);
+    for (std::string line; std::getline(status, line);)
+      if (line.starts_with("ShdPnd:"))
+        return (std::stoull(line.substr(line.find('\t') + 1), nullptr, 16) >> (signal_number - 1) & 1) != 0;
+    return false;
+  };
+  while (waits()) sched_yield();
+}
+
 /// Reads both streams to their ends, and sends the signal when the marker has appeared.
 void listen(pid_t child, const Pipe& out, const Pipe& err, const RunOptions& options, RunResult& result) {
   std::array<pollfd, 2> streams{{{out.read_end(), POLLIN, 0}, {err.read_end(), POLLIN, 0}}};
@@ -135,7 +150,10 @@ void listen(pid_t child, const Pipe& out, const Pipe& err, const RunOptions& opt
     const bool seen =
         result.out.find(options.marker) != std::string::npos || result.err.find(options.marker) != std::string::npos;
     if (!sent && seen) {
-      for (int i = 0; i < options.send_count; ++i) kill(child, options.send);
+      for (int i = 0; i < options.send_count; ++i) {
+        if (i > 0) wait_until_taken(child, options.send);
+        kill(child, options.send);
+      }
       sent = true;
     }
   }
