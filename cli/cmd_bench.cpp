@@ -148,15 +148,15 @@ Material make_material(const BenchOptions& options) {
   return material;
 }
 
-/// Where the pixels of a frame come from in a picture as it is held in memory.
-warp::Map held_map(const render::Renderer& renderer, render::SideName name) {
-  const render::StageSide& side = renderer.stage().side(name);
-  warp::Map map = renderer.map(kMoment, name);
-  for (warp::MapPoint& point : map) {
-    const cv::Point2d held = side.held.to_image(side.file.to_canvas({point[0], point[1]}));
-    point = {static_cast<float>(held.x), static_cast<float>(held.y)};
-  }
-  return map;
+/// Samples a picture as a frame does: in bands, into memory that is there.
+void sample(const render::StageSide& side, warp::Filter filter, const warp::Map& map, warp::Image& out) {
+  warp::for_rows(
+      out.rows,
+      [&](int begin, int end) {
+        warp::Image band = out.rowRange(begin, end);
+        warp::sample_band(side.image, map.rowRange(begin, end), {filter, side.border}, band);
+      },
+      warp::kSampleBand);
 }
 
 /// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
@@ -164,17 +164,16 @@ void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timing
   using render::SideName;
   timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, SideName::kSource); }), ""});
 
-  const warp::Map to_source = held_map(renderer, SideName::kSource);
-  const warp::Map to_destination = held_map(renderer, SideName::kDestination);
-  const auto sampled = [&](SideName name, const warp::Map& map) {
-    const render::StageSide& side = renderer.stage().side(name);
-    return warp::sample(side.image, map, {renderer.project().warp.filter, side.border});
-  };
-  warp::Image source;
-  warp::Image destination;
+  const render::Stage& stage = renderer.stage();
+  warp::Map to_source = renderer.map(kMoment, SideName::kSource);
+  warp::Map to_destination = renderer.map(kMoment, SideName::kDestination);
+  render::bring_to_held(stage.source, to_source);
+  render::bring_to_held(stage.destination, to_destination);
+  const warp::Filter filter = renderer.project().warp.filter;
+  warp::Image source(renderer.size()), destination(renderer.size());
   const double sampling_ms = median_ms([&] {
-    source = sampled(SideName::kSource, to_source);
-    destination = sampled(SideName::kDestination, to_destination);
+    sample(stage.source, filter, to_source, source);
+    sample(stage.destination, filter, to_destination, destination);
   });
   timings.push_back({"sampling", "sampling", sampling_ms, "both pictures"});
 

@@ -10,6 +10,7 @@
 #include "cli/edit/groups.h"
 #include "cli/edit/marks.h"
 #include "morph/project/limits.h"
+#include "morph/render/placement.h"
 #include "warp/mesh.h"
 
 namespace morphkit::edit {
@@ -81,7 +82,7 @@ void insert_column_into(project::Mesh& mesh, int after, double fraction) {
     for (std::size_t i = 0; i < old.size(); ++i) {
       vertices.push_back(old[i]);
       if (static_cast<int>(i) % mesh.columns != after) continue;
-      vertices.emplace_back(std::lerp(old[i].x, old[i + 1].x, fraction), std::lerp(old[i].y, old[i + 1].y, fraction));
+      vertices.push_back(render::lerp(old[i], old[i + 1], fraction));
     }
     vertices_of(mesh, side) = std::move(vertices);
   }

@@ -63,10 +63,7 @@ warp::Image warped(const render::Morpher& morpher, const PreviewRequest& request
                    SideName name) {
   const render::StageSide& side = stage.side(name);
   warp::Map map = morpher.map(request.t, name);
-  const auto x = static_cast<float>(static_cast<double>(side.image.cols) / side.file_size.width);
-  const auto y = static_cast<float>(static_cast<double>(side.image.rows) / side.file_size.height);
-  if (side.image.size() != side.file_size)
-    for (warp::MapPoint& position : map) position = {position[0] * x, position[1] * y};
+  render::bring_to_held(side, map);
   return warp::sample(side.image, map, {request.project->warp.filter, side.border});
 }
 
@@ -100,7 +97,7 @@ void draw_grid(const warp::Map& map, double cell, cv::Mat3b& screen) {
   });
 }
 
-bool shows(const PreviewRequest& request, SideName name) {
+bool shows(const render::Morpher& morpher, const PreviewRequest& request, SideName name) {
   switch (request.show) {
     case Show::kSource:
       return name == SideName::kSource;
@@ -112,7 +109,7 @@ bool shows(const PreviewRequest& request, SideName name) {
     case Show::kGrid:
       break;
   }
-  return request.t != (name == SideName::kSource ? 1 : 0);
+  return morpher.shows(name, request.t);
 }
 
 /// Paints red where a map of a side that shows turns over. @return the share of the pixels.
@@ -121,7 +118,7 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
   const auto morpher = render::make_morpher(*request.project, coarse, true);
   cv::Mat1b folded(coarse.size, uchar{0});
   for (const SideName side : {SideName::kSource, SideName::kDestination}) {
-    if (shows(request, side)) folded |= warp::jacobian_determinant(morpher->map(request.t, side)) <= 0;
+    if (shows(*morpher, request, side)) folded |= warp::jacobian_determinant(morpher->map(request.t, side)) <= 0;
   }
   const int count = cv::countNonZero(folded);
   if (count > 0) {

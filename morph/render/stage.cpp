@@ -60,6 +60,14 @@ const char* name_of(SideName side) {
   return side == SideName::kSource ? "source" : "destination";
 }
 
+void bring_to_held(const StageSide& side, warp::Map& positions) {
+  const cv::Size held = side.image.size();
+  if (held == side.file_size) return;
+  const auto x = static_cast<float>(static_cast<double>(held.width) / side.file_size.width);
+  const auto y = static_cast<float>(static_cast<double>(held.height) / side.file_size.height);
+  for (warp::MapPoint& position : positions) position = {position[0] * x, position[1] * y};
+}
+
 Pictures load_pictures(const project::Project& project) {
   // Reading a picture is the work of one thread; two pictures are that of two.
   auto destination = std::async(std::launch::async, [&] { return load(project, project.destination); });

@@ -38,6 +38,9 @@ struct StageSide {
   warp::Border border = warp::Border::kClamp;  ///< kTransparent or what the project says
 };
 
+/// Brings positions in px of the file to px of the picture as it is held in memory.
+void bring_to_held(const StageSide& side, warp::Map& positions);
+
 struct Stage {
   cv::Size size;    ///< of the canvas, or of the view of it that is rendered, px
   double unit = 1;  ///< canvas px per px of the view
