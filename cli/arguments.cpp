@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/project/limits.h"
 
 namespace morphkit::cli {

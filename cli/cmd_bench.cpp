@@ -17,17 +17,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/vector_target.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 #include "morph/media/frame_sink.h"
 #include "morph/render/dissolve.h"
 #include "morph/render/renderer.h"
-#include "warp/parallel.h"
-#include "warp/vector_target.h"
 
 namespace morphkit::cli {
 namespace {
@@ -150,7 +150,7 @@ Material make_material(const BenchOptions& options) {
 
 /// Samples a picture as a frame does: in bands, into memory that is there.
 void sample(const render::StageSide& side, warp::Filter filter, const warp::Map& map, warp::Image& out) {
-  warp::for_rows(
+  for_rows(
       out.rows,
       [&](int begin, int end) {
         warp::Image band = out.rowRange(begin, end);
@@ -180,7 +180,7 @@ void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timing
   const auto width = static_cast<std::size_t>(source.cols);
   const float half = 0.5F;
   const double dissolve_ms = median_ms([&] {
-    warp::for_rows(source.rows, [&](int begin, int end) {
+    for_rows(source.rows, [&](int begin, int end) {
       for (int y = begin; y < end; ++y)
         render::dissolve_row({source[y], width}, {destination[y], width}, std::span(&half, 1),
                              renderer.project().blend);
@@ -244,7 +244,7 @@ std::string filter_name(warp::Filter filter) {
 void print_text(const render::Renderer& renderer, const std::vector<Timing>& timings, Output& output) {
   output.line(fmt::format("{}x{}, {}; filter {}; {} thread{}; vectors {}", renderer.size().width,
                           renderer.size().height, renderer.description(), filter_name(renderer.project().warp.filter),
-                          warp::threads(), warp::threads() == 1 ? "" : "s", warp::vector_target()));
+                          threads(), threads() == 1 ? "" : "s", vector_target()));
   for (const Timing& timing : timings) {
     const std::string time = timing.ms < 0 ? "-" : fmt::format("{:.2f}", timing.ms);
     const std::string note = timing.note.empty() ? "" : "   " + timing.note;
@@ -258,7 +258,7 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
   Report report;
   report.set("width", renderer.size().width).set("height", renderer.size().height);
   report.set("work", renderer.description()).set("filter", filter_name(renderer.project().warp.filter));
-  report.set("threads", warp::threads()).set("vectors", warp::vector_target()).set("ms", std::move(times));
+  report.set("threads", threads()).set("vectors", vector_target()).set("ms", std::move(times));
   output.line(report.to_json());
 }
 

@@ -9,7 +9,7 @@
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/media/image_file.h"
-#include "warp/compare.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::cli {
 namespace {

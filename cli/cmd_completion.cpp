@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/command.h"
 #include "cli/completion_script.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 
 namespace morphkit::cli {
 

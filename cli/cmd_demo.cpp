@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
+#include "base/words.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
-#include "cli/suggest.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 #include "samples/samples.h"
 #include "samples/write.h"
 

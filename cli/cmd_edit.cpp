@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
-#include "cli/edit/editor.h"
-#include "cli/edit/layout.h"
-#include "cli/edit/storage.h"
+#include "cli/edit/document/storage.h"
+#include "cli/edit/hand/editor.h"
+#include "cli/edit/view/layout.h"
 #include "cli/edit/window.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 
 namespace morphkit::cli {
 namespace {

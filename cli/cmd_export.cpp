@@ -6,11 +6,11 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/command.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
+#include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
-#include "morph/project/import.h"
 #include "morph/project/project.h"
 
 namespace morphkit::cli {
@@ -40,7 +40,7 @@ void add_export(CLI::App& app, Session& session) {
 int run_export(const ExportOptions& options, Output& output) {
   const project::Project project = project::load(options.project);
   const std::vector<std::string> remarks =
-      project::export_to(project, {options.files, picture_size(project, project.source),
+      exchange::export_to(project, {options.files, picture_size(project, project.source),
                                    picture_size(project, project.destination), options.overwrite});
   for (const std::string& remark : remarks) output.note(remark);
   std::vector<std::string> names;

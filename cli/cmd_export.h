@@ -21,7 +21,7 @@ struct ExportOptions {
 
 void add_export(CLI::App& app, Session& session);
 
-/// @return the exit code. @throws Error as project::export_to.
+/// @return the exit code. @throws Error as exchange::export_to.
 int run_export(const ExportOptions& options, Output& output);
 
 }  // namespace morphkit::cli

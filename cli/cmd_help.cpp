@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
+#include "base/words.h"
 #include "cli/command.h"
 #include "cli/command_shape.h"
-#include "cli/suggest.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 
 namespace morphkit::cli {
 namespace {

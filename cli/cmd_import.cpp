@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/command.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
+#include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
-#include "morph/project/import.h"
 #include "morph/project/project.h"
 
 namespace morphkit::cli {
@@ -64,8 +64,8 @@ int run_import(const ImportOptions& options, Output& output) {
   project::Project project;
   project.source.image = seen_from(options.output, options.source);
   project.destination.image = seen_from(options.output, options.destination);
-  const project::ImportReport report =
-      project::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
+  const exchange::ImportReport report =
+      exchange::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
   project::save(project, options.output, options.overwrite);
   for (const std::string& remark : report.remarks) output.note(remark);
   output.note(fmt::format("{}: {} from {}", options.output.string(), summary(project), report.format));

@@ -23,7 +23,7 @@ struct ImportOptions {
 void add_import(CLI::App& app, Session& session);
 
 /// The project names its pictures relative to itself.
-/// @return the exit code. @throws Error as project::import_into; kIo if the project exists and `overwrite` is off.
+/// @return the exit code. @throws Error as exchange::import_into; kIo if the project exists and `overwrite` is off.
 int run_import(const ImportOptions& options, Output& output);
 
 }  // namespace morphkit::cli

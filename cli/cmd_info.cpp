@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/command.h"
 #include "cli/file_info.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 
 namespace morphkit::cli {
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 #include "morph/media/frame_pattern.h"
 #include "morph/media/frame_sink.h"
 #include "morph/media/image_file.h"

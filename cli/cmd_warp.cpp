@@ -8,17 +8,17 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
+#include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
-#include "morph/project/import.h"
 #include "morph/render/mesh_inbetween.h"
 #include "morph/render/mesh_morpher.h"
-#include "warp/mesh_warp.h"
+#include "warp/mesh/mesh_warp.h"
 
 namespace morphkit::cli {
 namespace {
@@ -54,7 +54,7 @@ NamedMesh read_mesh(const std::filesystem::path& file, render::SideName side, cv
   if (is_project(file))
     return {project_mesh(file, side, frame), fmt::format("{}: /mesh/{}/", file.string(), render::name_of(side))};
   std::vector<std::string> remarks;
-  NamedMesh named{project::read_xmorph_mesh(file, frame, remarks), file.string()};
+  NamedMesh named{exchange::read_xmorph_mesh(file, frame, remarks), file.string()};
   for (const std::string& remark : remarks) output.note(remark);
   return named;
 }

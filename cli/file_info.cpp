@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::cli {
 namespace {

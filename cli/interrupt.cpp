@@ -7,7 +7,7 @@
 
 #include <signal.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::cli {
 namespace {

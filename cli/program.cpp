@@ -11,6 +11,9 @@
 #include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/words.h"
 #include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_compare.h"
@@ -27,10 +30,7 @@
 #include "cli/cmd_warp.h"
 #include "cli/command.h"
 #include "cli/help_format.h"
-#include "cli/suggest.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
-#include "warp/parallel.h"
 
 namespace morphkit::cli {
 namespace {
@@ -109,7 +109,7 @@ int run_session(const CLI::App& app, const Session& session, Output& output) {
     output.print(app.help());
     return 0;
   }
-  if (session.common.threads > 0) warp::set_threads(session.common.threads);
+  if (session.common.threads > 0) set_threads(session.common.threads);
   return session.action(output);
 }
 

@@ -2,7 +2,9 @@
 include(CMakePackageConfigHelpers)
 
 # Inside the tree Highway comes from pkg-config, whose target consumers would not have.
-target_link_libraries(morphkit_warp PRIVATE $<INSTALL_INTERFACE:hwy::hwy>)
+foreach(library base image field sample mesh)
+  target_link_libraries(morphkit_${library} PRIVATE $<INSTALL_INTERFACE:hwy::hwy>)
+endforeach()
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/morphkit")
 get_property(libraries GLOBAL PROPERTY MORPHKIT_LIBRARIES)

@@ -15,11 +15,18 @@ if(MORPHKIT_SANITIZE)
   target_link_options(morphkit_options INTERFACE -fsanitize=${MORPHKIT_SANITIZE})
 endif()
 
-# morphkit_library(<name> SOURCES ... HEADERS ... PUBLIC ... PRIVATE ...)
+# Only what touches pixels gains from -O3; the rest compiles in half the time at -O1.
+function(morphkit_optimize target level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+endfunction()
+
+# morphkit_library(<name> SOURCES ... HEADERS ... PUBLIC ... PRIVATE ... [PIXELS])
 # A static library morphkit_<name>, alias morphkit::<name>, whose headers are included from the root of the tree.
+# PIXELS: it has loops over pixels.
 function(morphkit_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "PIXELS" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(morphkit_${name} STATIC ${ARG_SOURCES})
+  morphkit_optimize(morphkit_${name} $<IF:$<BOOL:${ARG_PIXELS}>,3,1>)
   add_library(morphkit::${name} ALIAS morphkit_${name})
   set_target_properties(morphkit_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(morphkit_${name} PUBLIC
@@ -40,5 +47,6 @@ function(morphkit_test name)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE morphkit_options ${ARG_LIBS} GTest::gtest_main)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
+  morphkit_optimize(${target} 1)
   add_test(NAME ${name} COMMAND ${target})
 endfunction()

@@ -223,7 +223,7 @@ void Canvas::glow(Point center, float sigma_x, float sigma_y, const Color& color
 
 cv::Mat4b Canvas::to_8bit() const {
   cv::Mat4b result(pixels_.size());
-  warp::for_rows(height(), [&](int begin, int end) {
+  for_rows(height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < width(); ++x) {
         const cv::Vec4f& p = pixels_(y, x);

@@ -10,8 +10,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "base/parallel.h"
 #include "samples/noise.h"
-#include "warp/parallel.h"
 
 namespace morphkit::samples {
 
@@ -118,7 +118,7 @@ void paint_lock(Canvas& canvas, const Lock& lock, Dice& dice, const Mask* clip =
 template <typename Shader>
 void Canvas::shade(const Mask& mask, const Shader& shader, const Brush& brush) {
   const cv::Rect box = cv::Rect(mask.origin, mask.coverage.size()) & cv::Rect(0, 0, width(), height());
-  warp::for_rows(box.height, [&](int begin, int end) {
+  for_rows(box.height, [&](int begin, int end) {
     for (int y = box.y + begin; y < box.y + end; ++y) {
       for (int x = box.x; x < box.x + box.width; ++x) {
         float alpha = brush.opacity * mask.at(x, y);
@@ -135,7 +135,7 @@ void Canvas::shade(const Mask& mask, const Shader& shader, const Brush& brush) {
 
 template <typename Shader>
 void Canvas::wash(const Shader& shader, const Mask* clip) {
-  warp::for_rows(height(), [&](int begin, int end) {
+  for_rows(height(), [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < width(); ++x) {
         const cv::Vec4f c = shader(Point(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));

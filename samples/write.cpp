@@ -6,11 +6,11 @@
 #include <string>
 #include <system_error>
 
-#include "morph/atomic_file.h"
-#include "morph/error.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "morph/media/image_file.h"
-#include "warp/color.h"
-#include "warp/compare.h"
+#include "warp/image/color.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::samples {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "samples/samples.h"
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::samples {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <tuple>
 
-#include "warp/parallel.h"
+#include "base/parallel.h"
 
 namespace morphkit::warp {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::warp {
 

@@ -11,9 +11,9 @@
 #include <unistd.h>
 #include <opencv2/highgui.hpp>
 
-#include "cli/edit/editor.h"
+#include "base/error.h"
+#include "cli/edit/hand/editor.h"
 #include "cli/interrupt.h"
-#include "morph/error.h"
 
 namespace morphkit::edit {
 namespace {

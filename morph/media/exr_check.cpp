@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_format.h"
 
 namespace morphkit::media {

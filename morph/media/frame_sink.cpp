@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "morph/atomic_file.h"
-#include "morph/error.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "morph/media/video_format.h"
 #include "morph/media/video_sink.h"
 

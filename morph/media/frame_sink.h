@@ -9,7 +9,7 @@
 
 #include "morph/media/frame_pattern.h"
 #include "morph/media/image_file.h"
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::media {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::media {
 

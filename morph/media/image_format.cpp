@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::media {
 namespace {

@@ -13,14 +13,14 @@
 #include <string_view>
 #include <system_error>
 
-#include "morph/error.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "morph/media/exr_check.h"
 #include "morph/media/image_format.h"
 #include "morph/media/metadata.h"
 #include "morph/media/png_check.h"
 #include "morph/media/promise_check.h"
 #include "morph/media/webp_codec.h"
-#include "warp/parallel.h"
 
 namespace morphkit::media {
 namespace {
@@ -318,7 +318,7 @@ warp::Image ImageReader::read_stored(const PixelDecoder& decoder, std::int64_t& 
   for (int top = 0; top < spec_.height; top += band) {
     const int height = std::min(band, spec_.height - top);
     read_rows(spec_.y + top, spec_.y + top + height, oiio_type(type), rows.data());
-    warp::for_rows(height, [&](int begin, int end) {
+    for_rows(height, [&](int begin, int end) {
       std::int64_t bad = 0;
       for (int y = begin; y < end; ++y) {
         bad += decoder.decode(rows.data() + row_bytes * static_cast<std::size_t>(y), spec_.width, image[top + y]);
@@ -334,7 +334,7 @@ warp::Image ImageReader::read_webp(const PixelDecoder& decoder, std::int64_t& no
   const std::vector<std::uint8_t> samples = decode_webp(file_, bytes_);
   warp::Image image(spec_.height, spec_.width);
   const std::size_t row_bytes = samples.size() / static_cast<std::size_t>(spec_.height);
-  warp::for_rows(spec_.height, [&](int begin, int end) {
+  for_rows(spec_.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       decoder.decode(samples.data() + row_bytes * static_cast<std::size_t>(y), spec_.width, image[y]);
     }

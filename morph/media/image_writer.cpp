@@ -11,15 +11,15 @@
 #include <memory>
 #include <system_error>
 
-#include "morph/atomic_file.h"
-#include "morph/error.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "morph/media/image_file.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"
 #include "morph/media/metadata.h"
 #include "morph/media/pixel_codec.h"
 #include "morph/media/webp_codec.h"
-#include "warp/parallel.h"
 
 namespace morphkit::media {
 namespace {
@@ -95,7 +95,7 @@ Samples encode_samples(const warp::Image& image, SampleType type, int channels) 
   const std::size_t row_bytes =
       static_cast<std::size_t>(image.cols) * static_cast<std::size_t>(channels) * sample_bytes(type);
   result.bytes.resize(row_bytes * static_cast<std::size_t>(image.rows));
-  warp::for_rows(image.rows, [&](int begin, int end) {
+  for_rows(image.rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       encoder.encode(image[y], image.cols, result.bytes.data() + row_bytes * static_cast<std::size_t>(y));
     }

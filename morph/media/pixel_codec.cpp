@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "warp/color.h"
-#include "warp/color_rows.h"
+#include "warp/image/color.h"
+#include "warp/image/color_rows.h"
 
 namespace morphkit::media {
 namespace {

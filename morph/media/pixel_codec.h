@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::media {
 

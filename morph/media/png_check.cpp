@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_format.h"
 
 namespace morphkit::media {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_format.h"
 
 namespace morphkit::media {

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "warp/color_rows.h"
-#include "warp/parallel.h"
+#include "base/parallel.h"
+#include "warp/image/color_rows.h"
 
 namespace morphkit::media {
 namespace {
@@ -43,7 +43,7 @@ constexpr int kBandRows = 16;
 /// Calls fn(begin, end) for bands of a frame's rows, in parallel.
 template <typename Fn>
 void for_bands(cv::Size size, const Fn& fn) {
-  warp::for_rows(size.height, fn, kBandRows);
+  for_rows(size.height, fn, kBandRows);
 }
 
 /// The row of the image that a row of a frame shows: rows that the image has not repeat its last.

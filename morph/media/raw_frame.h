@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::media {
 

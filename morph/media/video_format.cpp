@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::media {
 namespace {

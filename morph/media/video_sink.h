@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "morph/atomic_file.h"
+#include "base/atomic_file.h"
 #include "morph/media/frame_sink.h"
 #include "morph/media/process.h"
 #include "morph/media/video_format.h"

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::media {
 namespace {

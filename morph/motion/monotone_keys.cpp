@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iterator>
 
-#include "warp/monotone.h"
+#include "base/monotone.h"
 
 namespace morphkit::motion {
 namespace {
 
 using Key = KeysEase::Key;
 
-warp::Secant secant(const std::vector<Key>& keys, std::size_t i) {
+Secant secant(const std::vector<Key>& keys, std::size_t i) {
   const double width = keys[i + 1].t - keys[i].t;
   return {width, (keys[i + 1].s - keys[i].s) / width};
 }
@@ -20,9 +20,9 @@ double speed(const std::vector<Key>& keys, std::size_t i) {
   if (keys[i].speed) return *keys[i].speed;
   const std::size_t last = keys.size() - 1;
   if (last == 1) return secant(keys, 0).slope;
-  if (i == 0) return warp::monotone_end_slope(secant(keys, 0), secant(keys, 1));
-  if (i == last) return warp::monotone_end_slope(secant(keys, i - 1), secant(keys, i - 2));
-  return warp::monotone_slope(secant(keys, i - 1), secant(keys, i));
+  if (i == 0) return monotone_end_slope(secant(keys, 0), secant(keys, 1));
+  if (i == last) return monotone_end_slope(secant(keys, i - 1), secant(keys, i - 2));
+  return monotone_slope(secant(keys, i - 1), secant(keys, i));
 }
 
 }  // namespace

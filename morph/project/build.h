@@ -1,7 +1,7 @@
 #pragma once
 // From the document's values to a JSON tree. Internal to morph/project.
 
-#include "morph/project/json.h"
+#include "morph/json/json.h"
 #include "morph/project/project.h"
 
 namespace morphkit::project {

@@ -3,16 +3,16 @@
 #include <memory>
 #include <utility>
 
-#include "morph/project/json.h"
+#include "base/whole_file.h"
+#include "morph/json/json.h"
 #include "morph/project/project.h"
-#include "morph/project/read_file.h"
 #include "morph/project/read_project.h"
 
 namespace morphkit::project {
 
 Project parse(const std::string& text, const std::filesystem::path& name) {
   auto original = std::make_shared<const std::string>(json::strip_bom(text, name.string()));
-  const Document document{name.string(), json::parse(*original, name.string())};
+  const json::Document document{name.string(), json::parse(*original, name.string())};
   Project project = read_project(document);
   project.file = name;
   project.original = std::move(original);
@@ -20,11 +20,11 @@ Project parse(const std::string& text, const std::filesystem::path& name) {
 }
 
 Project load(const std::filesystem::path& file) {
-  return parse(read_file(file, "project"), file);
+  return parse(read_file(file, "project", json::kMaxFileBytes), file);
 }
 
 void load_features(Project& project, const std::filesystem::path& file) {
-  const std::string text = json::strip_bom(read_file(file, "project"), file.string());
+  const std::string text = json::strip_bom(read_file(file, "project", json::kMaxFileBytes), file.string());
   read_features_over(project, {file.string(), json::parse(text, file.string())});
 }
 

@@ -28,7 +28,7 @@ std::string_view identity(const Node& item) {
 
 class Merger {
  public:
-  explicit Merger(const Document& document) : document_(document) {}
+  explicit Merger(const json::Document& document) : document_(document) {}
 
   Node value(std::string_view key, const Node& original, const Node& full, const Node& minimal) const {
     if (same_meaning(key, original, full)) return original;
@@ -50,8 +50,8 @@ class Merger {
     if (json::same_value(original, full)) return true;
     const bool has_spellings = key == "shape" || key == "dissolve" || key == "fps" || key == "background";
     if (!has_spellings) return false;
-    const Document wanted{document_.file, full};
-    const Cursor before(document_, original), after(wanted);
+    const json::Document wanted{document_.file, full};
+    const json::Cursor before(document_, original), after(wanted);
     if (key == "fps") return read_fps(before) == read_fps(after);
     if (key == "background") return read_background(before) == read_background(after);
     return read_timing(before) == read_timing(after);
@@ -144,13 +144,13 @@ class Merger {
     return result;
   }
 
-  const Document& document_;
+  const json::Document& document_;
   const Node nothing_ = Node::object();
 };
 
 }  // namespace
 
-json::Node merge(const Document& original, const json::Node& full, const json::Node& minimal) {
+json::Node merge(const json::Document& original, const json::Node& full, const json::Node& minimal) {
   return Merger(original).value("", original.root, full, minimal);
 }
 

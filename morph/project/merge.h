@@ -1,7 +1,7 @@
 #pragma once
 // A changed document laid over the text that it came from. Internal to morph/project.
 
-#include "morph/project/cursor.h"
+#include "morph/json/cursor.h"
 
 namespace morphkit::project {
 
@@ -9,6 +9,6 @@ namespace morphkit::project {
 /// has and `original` lacks.
 /// @param original  a valid, located document; must outlive the result, which imitates its spacing.
 /// @param full      with all defaults, @param minimal without.
-json::Node merge(const Document& original, const json::Node& full, const json::Node& minimal);
+json::Node merge(const json::Document& original, const json::Node& full, const json::Node& minimal);
 
 }  // namespace morphkit::project

@@ -66,7 +66,7 @@ std::optional<Color> parse_hex(const std::string& text) {
   return Color{channels[0], channels[1], channels[2], channels[3]};
 }
 
-Color read_color(const Cursor& at) {
+Color read_color(const json::Cursor& at) {
   if (at.is(Kind::kArray)) {
     at.expect_array(3, 4, "a colour [r, g, b] or [r, g, b, a]");
     return {at.item(0).number(0, 1), at.item(1).number(0, 1), at.item(2).number(0, 1),
@@ -102,7 +102,7 @@ std::optional<Rate> parse_rate(const std::string& text) {
   return rate && !too_fast(*rate) ? rate : std::nullopt;
 }
 
-Rate read_fps(const Cursor& at) {
+Rate read_fps(const json::Cursor& at) {
   if (at.is(Kind::kNumber)) {
     const double value = at.node().number;
     if (const auto rate = named_rate(value)) return *rate;
@@ -116,10 +116,10 @@ Rate read_fps(const Cursor& at) {
   return *rate;
 }
 
-Background read_background(const Cursor& at) {
+Background read_background(const json::Cursor& at) {
   if (at.is(Kind::kObject)) {
     at.allow_keys({"image"});
-    const Cursor image = at.require("image", "name the picture that lies behind, e.g. {\"image\": \"sky.png\"}");
+    const json::Cursor image = at.require("image", "name the picture that lies behind, e.g. {\"image\": \"sky.png\"}");
     return std::filesystem::path(image.name("the path of an image"));
   }
   if (!at.is(Kind::kString) && !at.is(Kind::kArray)) {

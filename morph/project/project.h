@@ -14,9 +14,9 @@
 
 #include "morph/motion/curve.h"
 #include "morph/motion/easing.h"
-#include "warp/line_field.h"
-#include "warp/mesh_warp.h"
-#include "warp/sample.h"
+#include "warp/field/line_field.h"
+#include "warp/mesh/mesh_warp.h"
+#include "warp/sample/sample.h"
 
 namespace morphkit::project {
 

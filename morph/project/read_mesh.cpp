@@ -13,7 +13,7 @@ namespace {
 
 using json::Kind;
 
-void read_size(const Cursor& at, Mesh& mesh) {
+void read_size(const json::Cursor& at, Mesh& mesh) {
   at.expect_array(2, 2, "[columns, rows], the number of vertices in a row and in a column");
   mesh.columns = at.item(0).integer(2, kMaxMeshSize);
   mesh.rows = at.item(1).integer(2, kMaxMeshSize);
@@ -27,7 +27,7 @@ std::size_t vertex_count(const Mesh& mesh) {
 }
 
 /// The vertices of one side; none if they are evenly spaced.
-std::vector<cv::Point2d> read_vertices(const Cursor& at, const Mesh& mesh) {
+std::vector<cv::Point2d> read_vertices(const json::Cursor& at, const Mesh& mesh) {
   if (at.is(Kind::kString) && at.string() == "uniform") return {};
   const std::string wanted =
       fmt::format("{} vertices [x, y] ({} columns x {} rows, row by row)", vertex_count(mesh), mesh.columns, mesh.rows);
@@ -36,12 +36,12 @@ std::vector<cv::Point2d> read_vertices(const Cursor& at, const Mesh& mesh) {
   return read_points(at, count, count, wanted);
 }
 
-cv::Point read_vertex(const Cursor& at, const Mesh& mesh) {
+cv::Point read_vertex(const json::Cursor& at, const Mesh& mesh) {
   at.expect_array(2, 2, "a vertex [column, row]");
   return {at.item(0).integer(0, mesh.columns - 1), at.item(1).integer(0, mesh.rows - 1)};
 }
 
-std::vector<MeshGroup> read_groups(const Cursor& at, const Mesh& mesh, const std::vector<Group>& groups) {
+std::vector<MeshGroup> read_groups(const json::Cursor& at, const Mesh& mesh, const std::vector<Group>& groups) {
   at.expect_array(0, kMaxFeatures, fmt::format("an array of at most {} groups of vertices", kMaxFeatures));
   const std::set<std::string_view> known = group_ids(groups);
   const auto count = vertex_count(mesh);
@@ -50,15 +50,15 @@ std::vector<MeshGroup> read_groups(const Cursor& at, const Mesh& mesh, const std
   std::vector<MeshGroup> result;
   result.reserve(at.size());
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const Cursor item = at.item(i);
+    const json::Cursor item = at.item(i);
     item.allow_keys({"group", "vertices"});
-    const Cursor group = item.require("group", "the id of the group that times these vertices");
+    const json::Cursor group = item.require("group", "the id of the group that times these vertices");
     const std::string& id = group.name("a group");
     check_group(group, id, known);
     if (!seen.insert(id).second) {
       group.fail(fmt::format("the group {} has vertices already; list them all together", json::shown(id)));
     }
-    const Cursor vertices = item.require("vertices", "the vertices in this group, [[column, row], ...]");
+    const json::Cursor vertices = item.require("vertices", "the vertices in this group, [[column, row], ...]");
     vertices.expect_array(0, count, fmt::format("an array of at most {} vertices [column, row]", count));
     MeshGroup entry{id, {}};
     for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -79,7 +79,7 @@ std::vector<MeshGroup> read_groups(const Cursor& at, const Mesh& mesh, const std
 
 }  // namespace
 
-Mesh read_mesh(const Cursor& at, const std::vector<Group>& groups) {
+Mesh read_mesh(const json::Cursor& at, const std::vector<Group>& groups) {
   at.allow_keys({"size", "source", "destination", "groups"});
   Mesh mesh;
   read_size(at.require("size", "the number of vertices, [columns, rows]"), mesh);

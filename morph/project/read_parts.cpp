@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
 #include "morph/project/limits.h"
 
 namespace morphkit::project {
 
-cv::Point2d read_point(const Cursor& at) {
+cv::Point2d read_point(const json::Cursor& at) {
   at.expect_array(2, 2, "a point [x, y] in pixels");
   return {at.item(0).number(-kMaxCoordinate, kMaxCoordinate), at.item(1).number(-kMaxCoordinate, kMaxCoordinate)};
 }
 
-std::vector<cv::Point2d> read_points(const Cursor& at, std::size_t least, std::size_t most, const std::string& what) {
+std::vector<cv::Point2d> read_points(const json::Cursor& at, std::size_t least, std::size_t most,
+                                     const std::string& what) {
   at.expect_array(least, most, what);
   std::vector<cv::Point2d> points;
   points.reserve(at.size());
@@ -25,7 +27,7 @@ std::set<std::string_view> group_ids(const std::vector<Group>& groups) {
   return ids;
 }
 
-void check_group(const Cursor& at, std::string_view group, const std::set<std::string_view>& known) {
+void check_group(const json::Cursor& at, std::string_view group, const std::set<std::string_view>& known) {
   if (known.contains(group)) return;
   const std::vector<std::string_view> names(known.begin(), known.end());
   const auto meant = nearest(group, names);

@@ -16,12 +16,13 @@ namespace {
 using json::Kind;
 using Points = std::vector<cv::Point2d>;
 
-void read_number(const Cursor& at, std::string_view key, double least, double most, std::optional<double>& value) {
+void read_number(const json::Cursor& at, std::string_view key, double least, double most,
+                 std::optional<double>& value) {
   if (const auto found = at.find(key)) value = found->number(least, most);
 }
 
 /// The keys of "warp" that groups and features share with the project.
-void read_warp_influence(const Cursor& at, Influence& influence) {
+void read_warp_influence(const json::Cursor& at, Influence& influence) {
   read_number(at, "a", 0, kMaxCoordinate, influence.a);
   read_number(at, "b", 0, kMaxFalloff, influence.b);
   read_number(at, "p", 0, 1, influence.p);
@@ -30,13 +31,13 @@ void read_warp_influence(const Cursor& at, Influence& influence) {
   if (const auto turns = at.find("turns")) influence.turns = turns->integer(-kMaxTurns, kMaxTurns);
 }
 
-void read_transition_influence(const Cursor& at, Influence& influence) {
+void read_transition_influence(const json::Cursor& at, Influence& influence) {
   if (const auto shape = at.find("shape")) influence.shape = read_timing(*shape);
   if (const auto dissolve = at.find("dissolve")) influence.dissolve = read_timing(*dissolve);
 }
 
 /// "warp" and "transition" of a group or a feature.
-Influence read_influence(const Cursor& at) {
+Influence read_influence(const json::Cursor& at) {
   Influence influence;
   if (const auto warp = at.find("warp")) {
     warp->allow_keys({"a", "b", "p", "scale", "between", "turns"});
@@ -51,7 +52,7 @@ Influence read_influence(const Cursor& at) {
 
 constexpr const char* kBothSides = "a feature needs its place on both sides";
 
-void read_line(const Cursor& at, Feature& feature) {
+void read_line(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination"});
   feature.kind = FeatureKind::kLine;
   const auto ends = [&](const char* key) {
@@ -66,20 +67,20 @@ void read_line(const Cursor& at, Feature& feature) {
   }
 }
 
-void read_point_feature(const Cursor& at, Feature& feature) {
+void read_point_feature(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination"});
   feature.kind = FeatureKind::kPoint;
   feature.source = {read_point(at.require("source", kBothSides))};
   feature.destination = {read_point(at.require("destination", kBothSides))};
 }
 
-void read_curve(const Cursor& at, Feature& feature) {
+void read_curve(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination", "spline", "closed"});
   feature.kind = FeatureKind::kCurve;
   if (const auto spline = at.find("spline")) feature.curve = choose(*spline, "spline", kCurves);
   if (const auto closed = at.find("closed")) feature.closed = closed->boolean();
   const auto side = [&](const char* key) {
-    const Cursor points_at = at.require(key, kBothSides);
+    const json::Cursor points_at = at.require(key, kBothSides);
     Points points = read_points(points_at, 2, kMaxPoints, fmt::format("2 to {} points [[x, y], ...]", kMaxPoints));
     if (const auto problem = motion::Curve::problem(feature.curve, points, feature.closed)) points_at.fail(*problem);
     return points;
@@ -93,7 +94,7 @@ void read_curve(const Cursor& at, Feature& feature) {
   }
 }
 
-Feature read_feature(const Cursor& at) {
+Feature read_feature(const json::Cursor& at) {
   at.allow_keys({"id", "group", "line", "point", "curve", "warp", "transition"});
   Feature feature;
   feature.id = at.require("id", "give the feature a name of its own").name("an id");
@@ -109,21 +110,21 @@ Feature read_feature(const Cursor& at) {
   return feature;
 }
 
-Group read_group(const Cursor& at) {
+Group read_group(const json::Cursor& at) {
   at.allow_keys({"id", "warp", "transition"});
   return {at.require("id", "give the group a name of its own").name("an id"), read_influence(at)};
 }
 
 /// Reads an array of things that have ids of their own.
 template <typename T>
-std::vector<T> read_list(const Cursor& root, const char* key, T (*read)(const Cursor&)) {
+std::vector<T> read_list(const json::Cursor& root, const char* key, T (*read)(const json::Cursor&)) {
   std::vector<T> list;
   const auto at = root.find(key);
   if (!at) return list;
   at->expect_array(0, kMaxFeatures, fmt::format("an array of at most {} {}", kMaxFeatures, key));
   std::set<std::string> ids;
   for (std::size_t i = 0; i < at->size(); ++i) {
-    const Cursor item = at->item(i);
+    const json::Cursor item = at->item(i);
     list.push_back(read(item));
     if (!ids.insert(list.back().id).second) {
       item.find("id")->fail(
@@ -133,7 +134,7 @@ std::vector<T> read_list(const Cursor& root, const char* key, T (*read)(const Cu
   return list;
 }
 
-void check_groups(const Cursor& root, const std::vector<Feature>& features, const std::vector<Group>& groups) {
+void check_groups(const json::Cursor& root, const std::vector<Feature>& features, const std::vector<Group>& groups) {
   const std::set<std::string_view> known = group_ids(groups);
   for (std::size_t i = 0; i < features.size(); ++i) {
     if (features[i].group.empty()) continue;
@@ -141,7 +142,7 @@ void check_groups(const Cursor& root, const std::vector<Feature>& features, cons
   }
 }
 
-Side read_side(const Cursor& at) {
+Side read_side(const json::Cursor& at) {
   at.allow_keys({"image", "colorspace"});
   static constexpr std::pair<std::string_view, std::string_view> kSpaces[] = {{"srgb", "srgb"}, {"linear", "linear"}};
   Side side;
@@ -150,7 +151,7 @@ Side read_side(const Cursor& at) {
   return side;
 }
 
-void read_warp(const Cursor& at, Project& project) {
+void read_warp(const json::Cursor& at, Project& project) {
   at.allow_keys({"method", "spline", "order", "a", "b", "p", "scale", "between", "turns", "field", "filter", "border"});
   if (const auto method = at.find("method")) project.warp.method = choose(*method, "method", kMethods);
   if (const auto spline = at.find("spline")) project.warp.spline = choose(*spline, "spline", kMeshSplines);
@@ -162,7 +163,7 @@ void read_warp(const Cursor& at, Project& project) {
 }
 
 /// What warp and mesh must agree on.
-void check_method(const Cursor& root, const Project& project) {
+void check_method(const json::Cursor& root, const Project& project) {
   // The setting may come from elsewhere than this document (read_features_over).
   const auto place = [&](const char* key) {
     const auto warp = root.find("warp");
@@ -179,13 +180,13 @@ void check_method(const Cursor& root, const Project& project) {
   }
 }
 
-void read_transition(const Cursor& at, Project& project) {
+void read_transition(const json::Cursor& at, Project& project) {
   at.allow_keys({"shape", "dissolve", "blend"});
   read_transition_influence(at, project.influence);
   if (const auto blend = at.find("blend")) project.blend = choose(*blend, "blend", kBlends);
 }
 
-cv::Size read_size(const Cursor& at) {
+cv::Size read_size(const json::Cursor& at) {
   at.expect_array(2, 2, "[width, height] in pixels");
   const cv::Size size(at.item(0).integer(1, kMaxSize), at.item(1).integer(1, kMaxSize));
   if (static_cast<double>(size.width) * size.height > kMaxArea) {
@@ -194,7 +195,7 @@ cv::Size read_size(const Cursor& at) {
   return size;
 }
 
-Output read_output(const Cursor& at) {
+Output read_output(const json::Cursor& at) {
   at.allow_keys({"size", "fit", "frames", "start", "fps", "background"});
   Output output;
   if (const auto size = at.find("size")) output.size = read_size(*size);
@@ -207,9 +208,9 @@ Output read_output(const Cursor& at) {
 }
 
 /// The version comes first: a newer file may have keys that this program cannot know.
-void check_version(const Cursor& root) {
+void check_version(const json::Cursor& root) {
   if (!root.is(Kind::kObject)) root.fail_expected("an object {\"morphkit\": 1, ...}");
-  const Cursor version = root.require("morphkit", "the version of the file's form, \"morphkit\": 1");
+  const json::Cursor version = root.require("morphkit", "the version of the file's form, \"morphkit\": 1");
   if (!version.is(Kind::kNumber)) version.fail_expected("the version, a number");
   const double value = version.node().number;
   if (value > 1)
@@ -220,8 +221,8 @@ void check_version(const Cursor& root) {
 
 }  // namespace
 
-Project read_project(const Document& document) {
-  const Cursor root(document);
+Project read_project(const json::Document& document) {
+  const json::Cursor root(document);
   check_version(root);
   Project project;
   project.source = read_side(root.require("source", "the picture to start from, {\"image\": \"cat.png\"}"));
@@ -237,8 +238,8 @@ Project read_project(const Document& document) {
   return project;
 }
 
-void read_features_over(Project& project, const Document& document) {
-  const Cursor root(document);
+void read_features_over(Project& project, const json::Document& document) {
+  const json::Cursor root(document);
   check_version(root);
   if (!root.find("features") && !root.find("mesh")) {
     root.fail("this file is asked for what corresponds; it has neither \"features\" nor a \"mesh\"");

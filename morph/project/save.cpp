@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "morph/atomic_file.h"
+#include "base/atomic_file.h"
+#include "morph/json/json.h"
 #include "morph/project/build.h"
-#include "morph/project/json.h"
 #include "morph/project/merge.h"
 #include "morph/project/project.h"
 
@@ -14,7 +14,7 @@ std::string to_text(const Project& project) {
   const json::Node minimal = build(project, false);
   if (!project.original) return json::write(minimal, "");
   const std::string name = project.file.string();
-  Document original{name, json::parse(*project.original, name)};
+  json::Document original{name, json::parse(*project.original, name)};
   json::locate(original.root, *project.original);
   return json::write(merge(original, build(project, true), minimal), *project.original);
 }

@@ -33,11 +33,11 @@ const std::pair<std::string_view, Easing> kEasings[] = {{"linear", motion::Linea
 // A delay and a duration that add up to 1 in decimals may exceed it by a rounding error in binary.
 constexpr double kRounding = 1e-9;
 
-void set_number(const Cursor& at, std::string_view key, double least, double most, double& value) {
+void set_number(const json::Cursor& at, std::string_view key, double least, double most, double& value) {
   if (const auto found = at.find(key)) value = found->number(least, most);
 }
 
-KeysEase::Key read_key(const Cursor& at) {
+KeysEase::Key read_key(const json::Cursor& at) {
   at.expect_array(2, 3, "a key [time, progress] or [time, progress, speed]");
   KeysEase::Key key{at.item(0).number(0, 1), at.item(1).number(-kMaxCoordinate, kMaxCoordinate), std::nullopt};
   if (at.size() == 3) key.speed = at.item(2).number(-kMaxCoordinate, kMaxCoordinate);
@@ -45,7 +45,7 @@ KeysEase::Key read_key(const Cursor& at) {
 }
 
 /// Overrides the default parameters of `easing` by those that `at` gives; refuses the parameters of other easings.
-void read_parameters(const Cursor& at, const std::string& name, Easing& easing) {
+void read_parameters(const json::Cursor& at, const std::string& name, Easing& easing) {
   if (auto* sinusoidal = std::get_if<motion::SinusoidalEase>(&easing)) {
     at.allow_keys({"ease", "delay", "duration", "k1", "k2"});
     set_number(at, "k1", 0, 1, sinusoidal->k1);
@@ -66,7 +66,8 @@ void read_parameters(const Cursor& at, const std::string& name, Easing& easing) 
     set_number(at, "at", 0, 1, step->at);
   } else if (auto* keyed = std::get_if<KeysEase>(&easing)) {
     at.allow_keys({"ease", "delay", "duration", "keys"});
-    const Cursor keys = at.require("keys", "the easing \"keys\" wants its keys, e.g. [[0, 0], [0.4, 0.9], [1, 1]]");
+    const json::Cursor keys =
+        at.require("keys", "the easing \"keys\" wants its keys, e.g. [[0, 0], [0.4, 0.9], [1, 1]]");
     keys.expect_array(2, kMaxPoints, fmt::format("an array of 2 to {} keys", kMaxPoints));
     for (std::size_t i = 0; i < keys.size(); ++i) keyed->keys.push_back(read_key(keys.item(i)));
   } else {
@@ -75,7 +76,7 @@ void read_parameters(const Cursor& at, const std::string& name, Easing& easing) 
   if (const auto problem = motion::problem(easing)) at.fail(*problem);
 }
 
-Easing read_easing_name(const Cursor& at) {
+Easing read_easing_name(const json::Cursor& at) {
   return choose(at, "easing", kEasings);
 }
 
@@ -131,7 +132,7 @@ void add_parameters(Node& node, const Easing& easing, bool defaults) {
 
 }  // namespace
 
-motion::Timing read_timing(const Cursor& at) {
+motion::Timing read_timing(const json::Cursor& at) {
   motion::Timing timing;
   if (at.is(Kind::kString)) {
     timing.easing = read_easing_name(at);

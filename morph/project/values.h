@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "morph/project/cursor.h"
+#include "morph/json/cursor.h"
 #include "morph/project/project.h"
 
 namespace morphkit::project {
@@ -54,13 +54,13 @@ json::Node named(const std::pair<std::string_view, T> (&names)[N], const T& valu
 
 /// The value that the cursor names in one of the tables above.
 template <typename T, std::size_t N>
-T choose(const Cursor& at, const std::string& what, const std::pair<std::string_view, T> (&names)[N]) {
+T choose(const json::Cursor& at, const std::string& what, const std::pair<std::string_view, T> (&names)[N]) {
   return at.choice<T>(what, names);
 }
 
-motion::Timing read_timing(const Cursor& at);
-Rate read_fps(const Cursor& at);
-Background read_background(const Cursor& at);
+motion::Timing read_timing(const json::Cursor& at);
+Rate read_fps(const json::Cursor& at);
+Background read_background(const json::Cursor& at);
 
 /// Builders: with `defaults`, everything that has a default is written too.
 json::Node timing_node(const motion::Timing& timing, bool defaults);

@@ -1,7 +1,7 @@
 #include "morph/render/dissolve.h"
 
-#include "warp/color.h"
-#include "warp/mix.h"
+#include "warp/image/color.h"
+#include "warp/image/mix.h"
 
 namespace morphkit::render {
 namespace {

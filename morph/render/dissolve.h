@@ -4,7 +4,7 @@
 #include <span>
 
 #include "morph/project/project.h"
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::render {
 

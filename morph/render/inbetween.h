@@ -6,7 +6,7 @@
 
 #include "morph/project/project.h"
 #include "morph/render/placement.h"
-#include "warp/line_field.h"
+#include "warp/field/line_field.h"
 
 namespace morphkit::render {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/parallel.h"
 #include "morph/render/dissolve.h"
-#include "warp/image_pool.h"
-#include "warp/parallel.h"
+#include "warp/image/image_pool.h"
 
 namespace morphkit::render {
 namespace {
@@ -74,7 +74,7 @@ warp::Image LineMorpher::frame(double t) const {
   const auto [least, most] = dissolve_range(t);
   const Moment moment{warp::LineField(lines, 2), static_cast<float>(least), least != most, least<1, most> 0};
   warp::Image out = warp::pooled_image(stage_.size);
-  warp::for_rows(
+  for_rows(
       out.rows,
       [&](int begin, int end) {
         warp::Image band = out.rowRange(begin, end);
@@ -121,7 +121,7 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
 warp::Map LineMorpher::map(double t, SideName side_name) const {
   const warp::LineField field(field_lines(pairs_, t, stage_.unit), 2);
   warp::Map map(stage_.size);
-  warp::for_rows(
+  for_rows(
       map.rows,
       [&](int begin, int end) {
         warp::Map wanted = map.rowRange(begin, end);

@@ -5,7 +5,7 @@
 
 #include "morph/project/project.h"
 #include "morph/render/stage.h"
-#include "warp/mesh.h"
+#include "warp/mesh/mesh.h"
 
 namespace morphkit::render {
 

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "morph/render/dissolve.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -123,7 +123,7 @@ void MeshMorpher::mix(warp::Image& source, const warp::Image& destination, const
   const auto whole = static_cast<float>(dissolve.front());
   const warp::MeshValues values(mesh, dissolve);
   const auto columns = static_cast<std::size_t>(source.cols);
-  warp::for_rows(source.rows, [&](int begin, int end) {
+  for_rows(source.rows, [&](int begin, int end) {
     std::vector<float> alpha(local ? columns : 1, whole);
     for (int y = begin; y < end; ++y) {
       if (local) values.row(y, alpha);

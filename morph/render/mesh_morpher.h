@@ -3,7 +3,7 @@
 
 #include "morph/render/mesh_inbetween.h"
 #include "morph/render/morpher.h"
-#include "warp/mesh_warp.h"
+#include "warp/mesh/mesh_warp.h"
 
 namespace morphkit::render {
 

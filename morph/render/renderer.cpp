@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "morph/render/dissolve.h"
-#include "warp/color.h"
-#include "warp/parallel.h"
+#include "warp/image/color.h"
 
 namespace morphkit::render {
 namespace {
@@ -66,7 +66,7 @@ std::size_t Renderer::frame_bytes() const {
 warp::Image Renderer::frame(double t) const {
   warp::Image out = morpher_->frame(t);
   if (background_.empty()) return out;
-  warp::for_rows(out.rows, [&](int begin, int end) {
+  for_rows(out.rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       const int row = background_.rows == 1 ? 0 : y;
       over_row({out[y], static_cast<std::size_t>(out.cols)},

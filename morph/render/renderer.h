@@ -8,7 +8,7 @@
 #include "morph/project/project.h"
 #include "morph/render/morpher.h"
 #include "morph/render/stage.h"
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::render {
 

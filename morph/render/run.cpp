@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "morph/error.h"
-#include "warp/parallel.h"
+#include "base/error.h"
+#include "base/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -32,9 +32,9 @@ int frames_in_flight(const RunOptions& options, const Renderer& renderer) {
   // Two at least: one is encoded while the next is rendered. Codecs run on one thread each, so one frame for every
   // thread keeps all busy, and one more those that wait for their turn. More would only wait.
   const std::size_t fit = std::max<std::size_t>(2, frame_memory_bytes() / frame_bytes);
-  const int making = static_cast<int>(std::min<std::size_t>(fit, static_cast<std::size_t>(warp::threads()) + 1));
+  const int making = static_cast<int>(std::min<std::size_t>(fit, static_cast<std::size_t>(threads()) + 1));
   int in_flight = making;
-  while (warp::made_at_once(in_flight) < making) ++in_flight;
+  while (made_at_once(in_flight) < making) ++in_flight;
   return in_flight;
 }
 
@@ -53,7 +53,7 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
   // A morph that cannot be rendered to its end is not begun.
   for (const int frame : missing) renderer.require(renderer.time_of(frame));
 
-  warp::PipelineStages stages;
+  PipelineStages stages;
   stages.make = [&](std::int64_t index) -> std::shared_ptr<void> {
     const int frame = missing[static_cast<std::size_t>(index)];
     return std::make_shared<media::FrameSink::Packet>(sink.encode(frame, renderer.frame(renderer.time_of(frame))));
@@ -65,7 +65,7 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
     if (options.on_progress) options.on_progress(progress);
   };
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
-  warp::run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), stages, cancelled);
+  run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), stages, cancelled);
   if (progress.done < static_cast<int>(missing.size()))
     throw Error(ErrorCode::kInterrupted, "",
                 fmt::format("interrupted after {} of {} frames", progress.done + progress.skipped, progress.total));

@@ -7,8 +7,8 @@
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 #include "morph/render/placement.h"
-#include "warp/image.h"
-#include "warp/sample.h"
+#include "warp/image/image.h"
+#include "warp/sample/sample.h"
 
 namespace morphkit::render {
 

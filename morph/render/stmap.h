@@ -1,7 +1,7 @@
 #pragma once
 // STMaps: a map as compositors read it (Nuke, Fusion, Natron, Flame).
 
-#include "warp/image.h"
+#include "warp/image/image.h"
 
 namespace morphkit::render {
 

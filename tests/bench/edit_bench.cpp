@@ -17,7 +17,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "cli/edit/editor.h"
+#include "cli/edit/hand/editor.h"
 
 namespace morphkit::edit {
 namespace {

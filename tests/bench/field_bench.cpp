@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "base/parallel.h"
 #include "tests/bench/fma_peak.h"
-#include "warp/line_field.h"
-#include "warp/parallel.h"
+#include "warp/field/line_field.h"
 
 namespace morphkit::warp {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "base/parallel.h"
 #include "morph/render/renderer.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -50,7 +50,7 @@ project::Project random_project(int lines) {
 
 /// Arguments: lines, threads, filter.
 void whole_frame(benchmark::State& state) {
-  warp::set_threads(static_cast<int>(state.range(1)));
+  set_threads(static_cast<int>(state.range(1)));
   project::Project project = random_project(static_cast<int>(state.range(0)));
   project.warp.filter = static_cast<warp::Filter>(state.range(2));
   Pictures pictures;
@@ -61,7 +61,7 @@ void whole_frame(benchmark::State& state) {
     state.SkipWithError("t = 0 is not the source");
   for (auto _ : state) benchmark::DoNotOptimize(renderer.frame(0.5));
   state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
-  warp::set_threads(0);
+  set_threads(0);
 }
 
 BENCHMARK(whole_frame)

@@ -10,11 +10,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include "base/parallel.h"
 #include "morph/render/dissolve.h"
-#include "tests/unit/warp/mesh_pictures.h"
-#include "warp/area_resample.h"
-#include "warp/mesh_warp.h"
-#include "warp/parallel.h"
+#include "tests/unit/warp/mesh/mesh_pictures.h"
+#include "warp/mesh/area_resample.h"
+#include "warp/mesh/mesh_warp.h"
 
 #ifdef MORPHKIT_HAVE_LIBMORPH
 // Debian's headers of it include one that is not shipped.

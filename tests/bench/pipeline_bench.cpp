@@ -15,9 +15,9 @@
 #include <numeric>
 #include <vector>
 
+#include "base/parallel.h"
 #include "morph/media/frame_sink.h"
 #include "morph/render/run.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -70,7 +70,7 @@ class Job {
   /// @pre keep_frames()
   void codec_alone() {
     const auto to = sink();
-    warp::PipelineStages stages;
+    PipelineStages stages;
     stages.make = [&](std::int64_t i) -> std::shared_ptr<void> {
       const auto index = static_cast<std::size_t>(i);
       return std::make_shared<media::FrameSink::Packet>(to->encode(frames_[index], kept_[index]));
@@ -79,7 +79,7 @@ class Job {
       to->write(frames_[static_cast<std::size_t>(i)],
                 std::move(*std::static_pointer_cast<media::FrameSink::Packet>(item)));
     };
-    warp::run_pipeline(static_cast<std::int64_t>(count()), in_flight(), stages, {});
+    run_pipeline(static_cast<std::int64_t>(count()), in_flight(), stages, {});
     to->finish();
   }
 
@@ -95,7 +95,7 @@ class Job {
     return {std::move(project), pictures};
   }
 
-  static int in_flight() { return warp::threads() + 3; }
+  static int in_flight() { return threads() + 3; }
 
   std::unique_ptr<media::FrameSink> sink() const {
     media::SinkOptions options;

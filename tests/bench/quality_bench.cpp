@@ -6,9 +6,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "tests/unit/warp/plate_reference.h"
-#include "warp/parallel.h"
-#include "warp/sample.h"
+#include "base/parallel.h"
+#include "tests/unit/warp/sample/plate_reference.h"
+#include "warp/sample/sample.h"
 
 namespace morphkit::warp {
 namespace {

@@ -11,11 +11,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "warp/color.h"
-#include "warp/image_pool.h"
-#include "warp/mix.h"
-#include "warp/parallel.h"
-#include "warp/sample.h"
+#include "base/parallel.h"
+#include "warp/image/color.h"
+#include "warp/image/image_pool.h"
+#include "warp/image/mix.h"
+#include "warp/sample/sample.h"
 
 namespace morphkit::warp {
 namespace {

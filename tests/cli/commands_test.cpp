@@ -12,7 +12,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
-#include "warp/color.h"
+#include "warp/image/color.h"
 
 namespace morphkit::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "cli/cmd_edit.h"
-#include "morph/error.h"
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/pictures.h"

@@ -14,7 +14,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
-#include "warp/compare.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::test {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "base/words.h"
 #include "cli/frame_range.h"
 #include "cli/help_format.h"
 #include "cli/report.h"
-#include "cli/suggest.h"
 #include "cli/terminal.h"
-#include "morph/error.h"
 
 namespace morphkit::cli {
 namespace {
@@ -87,7 +87,7 @@ TEST(Suggest, FindsTheNearestAndNothingFar) {
   EXPECT_EQ(nearest("--overwritte", names), "--overwrite");
   EXPECT_EQ(nearest("render", names), std::nullopt);
   EXPECT_EQ(nearest("", names), std::nullopt);
-  EXPECT_EQ(nearest("morph", {}), std::nullopt);
+  EXPECT_EQ(nearest("morph", std::vector<std::string>()), std::nullopt);
 }
 
 TEST(Report, PrintsEveryKindInTheOrderSet) {

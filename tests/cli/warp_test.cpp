@@ -5,7 +5,7 @@
 #include "morph/media/image_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/temporary_folder.h"
-#include "warp/compare.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_file.h"
 #include "morph/media/image_format.h"
 

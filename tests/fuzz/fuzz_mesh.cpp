@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "morph/error.h"
-#include "morph/project/import_xmorph.h"
+#include "base/error.h"
+#include "morph/exchange/import_xmorph.h"
 
 namespace {
 
-namespace project = morphkit::project;
+namespace exchange = morphkit::exchange;
 namespace warp = morphkit::warp;
 
 constexpr double kHalfUnit = 0.05 + 1e-9;  // px
@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::string> remarks;
   warp::Mesh mesh;
   try {
-    mesh = project::parse_xmorph_mesh(text, "fuzz.mesh", picture, remarks);
+    mesh = exchange::parse_xmorph_mesh(text, "fuzz.mesh", picture, remarks);
   } catch (const morphkit::Error& error) {
     require(error.code() == morphkit::ErrorCode::kBadInput, error.what());
     return 0;
@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(mesh.vertices.size() == static_cast<std::size_t>(mesh.columns) * static_cast<std::size_t>(mesh.rows),
           "the vertices are not as many as promised");
   const warp::Mesh back =
-      project::parse_xmorph_mesh(project::xmorph_mesh_text(mesh, picture), "back.mesh", picture, remarks);
+      exchange::parse_xmorph_mesh(exchange::xmorph_mesh_text(mesh, picture), "back.mesh", picture, remarks);
   require(back.columns == mesh.columns && back.rows == mesh.rows, "written, the mesh has another size");
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const cv::Point2d before = mesh.vertices[i], moved = back.vertices[i] - before;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/project/project.h"
 
 namespace {

@@ -10,11 +10,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "cli/edit/canvas.h"
-#include "cli/edit/hit_test.h"
-#include "cli/edit/layout.h"
-#include "cli/edit/model.h"
-#include "cli/edit/preview.h"
+#include "cli/edit/view/canvas.h"
+#include "cli/edit/view/layout.h"
+#include "cli/edit/view/model.h"
+#include "cli/edit/view/picking.h"
+#include "cli/edit/view/preview.h"
 #include "morph/project/project.h"
 #include "samples/samples.h"
 #include "samples/write.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "morph/media/image_file.h"
-#include "warp/compare.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::test {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/edit/model.h"
-#include "morph/error.h"
+#include "base/error.h"
+#include "cli/edit/view/model.h"
 #include "morph/media/image_file.h"
 #include "morph/media/process.h"
 #include "morph/project/project.h"

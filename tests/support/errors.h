@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::test {
 

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "warp/image.h"
-#include "warp/parallel.h"
+#include "base/parallel.h"
+#include "warp/image/image.h"
 
 namespace morphkit::warp {
 

@@ -2,8 +2,8 @@
 // known.
 #include <cstdio>
 
-#include "warp/line_field.h"
-#include "warp/sample.h"
+#include "warp/field/line_field.h"
+#include "warp/sample/sample.h"
 
 using namespace morphkit::warp;
 

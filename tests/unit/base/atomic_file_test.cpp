@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/atomic_file.h"
-#include "morph/error.h"
+#include "base/atomic_file.h"
+#include "base/error.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 

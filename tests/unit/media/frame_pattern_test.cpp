@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 
 namespace morphkit::media {
 namespace {

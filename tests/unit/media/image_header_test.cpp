@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "tests/unit/media/image_support.h"
-#include "warp/color.h"
+#include "warp/image/color.h"
 
 namespace morphkit::media::test {
 namespace {

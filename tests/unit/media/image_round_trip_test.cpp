@@ -7,7 +7,7 @@
 
 #include "morph/media/image_format.h"
 #include "tests/unit/media/image_support.h"
-#include "warp/color.h"
+#include "warp/image/color.h"
 
 namespace morphkit::media::test {
 namespace {

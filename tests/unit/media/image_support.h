@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "warp/color.h"
+#include "warp/image/color.h"
 
 namespace morphkit::media {
 namespace {

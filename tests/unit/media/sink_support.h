@@ -19,7 +19,7 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/frame_sink.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/project/project.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/project/documents.h"

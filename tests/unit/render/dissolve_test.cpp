@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "warp/color.h"
+#include "warp/image/color.h"
 
 namespace morphkit::render {
 namespace {

@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "morph/render/check.h"
 #include "morph/render/renderer.h"
 #include "tests/support/errors.h"
 #include "tests/support/pictures.h"
 #include "tests/unit/render/shows.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -100,13 +100,13 @@ TEST(MeshMorpher, SameBytesForAnyNumberOfThreads) {
   project.groups.back().influence.dissolve = motion::Timing{motion::SineEase{}, 0, 0.4};
   project.mesh->groups.push_back({"early", {{2, 2}, {3, 2}}});
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
-  warp::set_threads(1);
+  set_threads(1);
   const warp::Image one = renderer.frame(0.4);
   for (const int threads : {2, 5}) {
-    warp::set_threads(threads);
+    set_threads(threads);
     EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
   }
-  warp::set_threads(0);
+  set_threads(0);
 }
 
 TEST(MeshMorpher, AMapLooksWhereThePicturesComeFrom) {

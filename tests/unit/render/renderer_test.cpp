@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "tests/support/pictures.h"
 #include "tests/unit/render/shows.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -77,13 +77,13 @@ TEST(Renderer, SameBytesForAnyNumberOfThreads) {
   project.features[0].influence.dissolve = motion::Timing{motion::SineEase{}, 0, 0.5};
   project.output.size = cv::Size(203, 151);
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
-  warp::set_threads(1);
+  set_threads(1);
   const warp::Image one = renderer.frame(0.4);
   for (const int threads : {2, 5}) {
-    warp::set_threads(threads);
+    set_threads(threads);
     EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
   }
-  warp::set_threads(0);
+  set_threads(0);
 }
 
 TEST(Renderer, ASideShowsAsLongAsTheFrameDependsOnIt) {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "tests/support/pictures.h"
-#include "warp/parallel.h"
 
 namespace morphkit::render {
 namespace {
@@ -75,12 +75,12 @@ TEST(Run, DeliversAllFramesInOrderWithFewAlive) {
 TEST(Run, FramesDoNotDependOnChunksOrThreads) {
   const Renderer morph = renderer();
   MemorySink whole, chunk;
-  warp::set_threads(5);
+  set_threads(5);
   run(morph, whole, {numbers(1, 9), false, 4, {}, {}});
-  warp::set_threads(1);
+  set_threads(1);
   run(morph, chunk, {{7, 8, 9}, false, 0, {}, {}});
   run(morph, chunk, {{2, 5}, false, 0, {}, {}});
-  warp::set_threads(0);
+  set_threads(0);
   for (const auto& [frame, image] : chunk.frames) EXPECT_TRUE(same_bits(image, whole.frames.at(frame))) << frame;
   EXPECT_EQ(chunk.frames.size(), 5u);
 }

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "morph/project/project.h"
-#include "warp/parallel.h"
 
 namespace morphkit::samples {
 namespace {
@@ -30,9 +30,9 @@ TEST_P(EverySample, IsTheSameForAnyNumberOfThreads) {
   const Sample first = paint(GetParam());
   for (const int threads : {1, 2, 5}) {
     SCOPED_TRACE(threads);
-    warp::set_threads(threads);
+    set_threads(threads);
     const Sample again = paint(GetParam());
-    warp::set_threads(0);
+    set_threads(0);
     ASSERT_EQ(again.pictures.size(), first.pictures.size());
     for (std::size_t i = 0; i < first.pictures.size(); ++i) {
       EXPECT_EQ(again.pictures[i].name, first.pictures[i].name);

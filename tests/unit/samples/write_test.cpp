@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "morph/error.h"
+#include "base/error.h"
 #include "morph/media/image_file.h"
-#include "warp/compare.h"
+#include "warp/image/compare.h"
 
 namespace morphkit::samples {
 namespace {

@@ -1,0 +1,173 @@
+#include "base/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace morphkit {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Longest part of the final name's stem that goes into the temporary name; the rest of a name's 255 bytes is for the
+/// dot, the numbers and the extension.
+constexpr std::size_t kLongestStem = 150;
+
+constexpr mode_t kPermissionBits = 07777;
+
+/// A file descriptor that closes itself; `close` tells whether that went well.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) noexcept : descriptor_(descriptor) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const noexcept { return descriptor_; }
+  bool close() noexcept {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    return descriptor < 0 || ::close(descriptor) == 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+[[noreturn]] void fail(const std::string& place, const std::string& message) {
+  throw Error(ErrorCode::kIo, place, message);
+}
+
+[[noreturn]] void fail_errno(const std::string& place, const char* what, int error) {
+  fail(place, fmt::format("{}: {}", what, std::generic_category().message(error)));
+}
+
+std::string temporary_name(const fs::path& final_name, unsigned counter) {
+  const std::string stem = final_name.stem().string().substr(0, kLongestStem);
+  return fmt::format(".{}.{}.{}.tmp{}", stem, static_cast<long>(::getpid()), counter, final_name.extension().string());
+}
+
+fs::path follow_links(const fs::path& name) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(name, error))) return name;
+  const fs::path target = fs::weakly_canonical(name, error);
+  return error ? name : target;
+}
+
+/// rename() that does not replace: the kernel checks and renames in one step where the file system can, otherwise we
+/// look first.
+int rename_new(const char* from, const char* to) {
+  if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return -1;
+  if (::access(to, F_OK) == 0) {
+    errno = EEXIST;
+    return -1;
+  }
+  return std::rename(from, to);
+}
+
+void write_all(int descriptor, std::span<const std::uint8_t> bytes, const std::string& place) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      fail_errno(place, "cannot be written", errno);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+/// Some file systems know no permissions; the contents matter more.
+void set_mode(int descriptor, mode_t mode) {
+  if (::fchmod(descriptor, mode) != 0) errno = 0;
+}
+
+constexpr const char* kAlreadyExists = "already exists; use --overwrite to replace it";
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite)
+    : shown_(final_name.string()), final_(follow_links(final_name)), overwrite_(overwrite) {
+  if (final_.filename().empty()) fail(shown_, "is not a file name");
+  std::error_code error;
+  const fs::path folder = final_.has_parent_path() ? final_.parent_path() : fs::path(".");
+  const fs::file_status folder_status = fs::status(folder, error);
+  if (!fs::exists(folder_status)) {
+    fail(shown_, fmt::format("the folder {} does not exist; create it first", folder.string()));
+  }
+  if (!fs::is_directory(folder_status)) fail(shown_, fmt::format("{} is not a folder", folder.string()));
+  const fs::file_status status = fs::status(final_, error);
+  if (fs::is_directory(status)) fail(shown_, "is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) fail(shown_, "is not a regular file");
+  if (fs::exists(status) && !overwrite_) fail(shown_, kAlreadyExists);
+  reserve();
+}
+
+AtomicFile::~AtomicFile() {
+  if (!committed_ && !temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::reserve() {
+  static std::atomic<unsigned> counter{0};
+  for (;;) {
+    const fs::path name = final_.parent_path() / temporary_name(final_, counter++);
+    const Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (descriptor.get() < 0) {
+      if (errno == EEXIST) continue;
+      fail_errno(shown_, "cannot be created", errno);
+    }
+    // No more for others than the file that is replaced has, from the start; ourselves we must write to it.
+    struct stat old = {};
+    if (::stat(final_.c_str(), &old) == 0) {
+      mode_ = old.st_mode & kPermissionBits;
+      set_mode(descriptor.get(), *mode_ | S_IRUSR | S_IWUSR);
+    }
+    temporary_ = name;
+    return;
+  }
+}
+
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+  Descriptor descriptor(::open(temporary_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+  if (descriptor.get() < 0) fail_errno(shown_, "cannot be written", errno);
+  write_all(descriptor.get(), bytes, shown_);
+  if (!descriptor.close()) fail_errno(shown_, "cannot be written", errno);
+}
+
+void AtomicFile::commit() {
+  {
+    // Without the flush, a power cut after the rename could leave an empty file under the final name, and a network
+    // file system could report a full disk when nobody listens any more.
+    Descriptor descriptor(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
+    if (descriptor.get() < 0) fail_errno(shown_, "its temporary file is gone", errno);
+    struct stat written = {};
+    if (::fstat(descriptor.get(), &written) != 0) fail_errno(shown_, "cannot be written", errno);
+    if (written.st_size == 0) fail(shown_, "nothing was written; is the disk full?");
+    if (mode_) set_mode(descriptor.get(), *mode_);
+    if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_errno(shown_, "cannot be written", errno);
+    if (!descriptor.close()) fail_errno(shown_, "cannot be written", errno);
+  }
+  const int result =
+      overwrite_ ? std::rename(temporary_.c_str(), final_.c_str()) : rename_new(temporary_.c_str(), final_.c_str());
+  if (result != 0) {
+    if (errno == EEXIST) fail(shown_, kAlreadyExists);
+    fail_errno(shown_, "cannot be put in place", errno);
+  }
+  committed_ = true;
+}
+
+void write_file(const fs::path& file, std::span<const std::uint8_t> bytes, bool overwrite) {
+  AtomicFile target(file, overwrite);
+  target.write(bytes);
+  target.commit();
+}
+
+}  // namespace morphkit

@@ -1,0 +1,135 @@
+#include "cli/edit/document/counterpart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cli/edit/document/marks.h"
+#include "morph/render/inbetween.h"
+#include "warp/field/line_field.h"
+#include "warp/mesh/mesh.h"
+
+namespace morphkit::edit {
+namespace {
+
+using render::SideName;
+
+cv::Point2d into(cv::Point2d position, cv::Size picture) {
+  return {std::clamp(position.x, 0.0, static_cast<double>(picture.width)),
+          std::clamp(position.y, 0.0, static_cast<double>(picture.height))};
+}
+
+/// What warp::LineField takes.
+bool in_range(const warp::Line& line) {
+  constexpr double kMost = 1e9;
+  return std::max({std::abs(line.p.x), std::abs(line.p.y), std::abs(line.q.x), std::abs(line.q.y)}) <= kMost;
+}
+
+const cv::Point2d kCentre{0.5, 0.5};
+
+/// The lines of `side` as the output and those of the other as the target, all moved so that `on_canvas` is the centre
+/// of pixel (0, 0): the field is asked at pixel centres, and tells small positions most precisely. A line of next to no
+/// length that rounding makes a point on one side only says nothing and is left out.
+std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pairs, SideName side,
+                                         cv::Point2d on_canvas) {
+  const cv::Point2d shift = kCentre - on_canvas;
+  std::vector<warp::FieldLine> lines;
+  lines.reserve(pairs.size());
+  for (const render::LinePair& pair : pairs) {
+    const bool from_source = side == SideName::kSource;
+    const warp::Line& here = from_source ? pair.source : pair.destination;
+    const warp::Line& there = from_source ? pair.destination : pair.source;
+    const warp::Line output{here.p + shift, here.q + shift}, target{there.p + shift, there.q + shift};
+    if ((output.p == output.q) != (target.p == target.q) || !in_range(output) || !in_range(target)) continue;
+    warp::FieldLine line;
+    line.output = output;
+    line.targets = {target};
+    line.weight = {*pair.influence.a, *pair.influence.b, *pair.influence.p};
+    line.scale = *pair.influence.scale;
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// Canvas to canvas; nothing if the features say nothing there.
+std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>& pairs, SideName side,
+                                            cv::Point2d on_canvas) {
+  const std::vector<warp::FieldLine> lines = lines_about(pairs, side, on_canvas);
+  if (lines.empty()) return std::nullopt;
+  std::array<warp::Map, 1> maps{warp::Map(1, 1)};
+  warp::LineField(lines, 1).reference({0, 0, 1, 1}, maps);
+  const cv::Vec2f there = maps[0](0, 0);
+  const cv::Point2d position = cv::Point2d(there[0], there[1]) - kCentre + on_canvas;
+  return finite(position) ? std::optional(position) : std::nullopt;
+}
+
+/// Weights of the corners a, b, c of a triangle at x, which add up to 1; nothing for a triangle without area.
+std::optional<std::array<double, 3>> weights_in(cv::Point2d a, cv::Point2d b, cv::Point2d c, cv::Point2d x) {
+  const double area = (b - a).cross(c - a);
+  if (area == 0) return std::nullopt;
+  const double at_b = (x - a).cross(c - a) / area, at_c = (b - a).cross(x - a) / area;
+  return std::array{1 - at_b - at_c, at_b, at_c};
+}
+
+/// Picture to picture: the triangle that x lies in, or lies least outside of, is carried to its partner.
+std::optional<cv::Point2d> carried_by_mesh(const warp::Mesh& here, const warp::Mesh& there, cv::Point2d x) {
+  double best = -std::numeric_limits<double>::infinity();
+  std::optional<cv::Point2d> result;
+  const auto look_at = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto weights = weights_in(here.vertices[a], here.vertices[b], here.vertices[c], x);
+    if (!weights) return;
+    const double inside = std::ranges::min(*weights);
+    if (!(inside > best)) return;
+    best = inside;
+    const auto& [at_a, at_b, at_c] = *weights;
+    result = at_a * there.vertices[a] + at_b * there.vertices[b] + at_c * there.vertices[c];
+  };
+  for (int row = 0; row + 1 < here.rows; ++row) {
+    for (int column = 0; column + 1 < here.columns; ++column) {
+      const std::size_t corner = here.index(column, row), across = here.index(column + 1, row + 1);
+      look_at(corner, here.index(column + 1, row), across);
+      look_at(corner, across, here.index(column, row + 1));
+    }
+  }
+  return result && finite(*result) ? result : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<cv::Point2d> vertices_on(const project::Project& project, SideName side, cv::Size picture) {
+  if (!project.mesh) return {};
+  const project::Mesh& mesh = *project.mesh;
+  const auto& vertices = side == SideName::kSource ? mesh.source : mesh.destination;
+  if (!vertices.empty()) return vertices;
+  return warp::uniform_mesh(mesh.columns, mesh.rows, {{0, 0}, cv::Size2d(picture)}).vertices;
+}
+
+cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, SideName side,
+                        cv::Point2d position) {
+  const bool from_source = side == SideName::kSource;
+  const cv::Size here = from_source ? source : destination, there = from_source ? destination : source;
+  const SideName other_side = from_source ? SideName::kDestination : SideName::kSource;
+  const cv::Size canvas = render::canvas_size(project, source);
+  const render::Placement placed = render::place(here, canvas, project.output.fit);
+  const render::Placement other_placed = render::place(there, canvas, project.output.fit);
+  const cv::Point2d on_canvas = placed.to_canvas(position);
+  if (project::method_of(project) == project::Method::kMesh && project.mesh) {
+    const int columns = project.mesh->columns, rows = project.mesh->rows;
+    const auto carried =
+        carried_by_mesh({columns, rows, vertices_on(project, side, here)},
+                        {columns, rows, vertices_on(project, other_side, there)}, into(position, here));
+    if (carried) return into(*carried, there);
+  } else if (!project.features.empty()) {
+    const auto pairs = from_source ? render::line_pairs(project, placed, other_placed)
+                                   : render::line_pairs(project, other_placed, placed);
+    if (const auto carried = carried_by_lines(pairs, side, on_canvas))
+      return into(other_placed.to_image(*carried), there);
+  }
+  return into(other_placed.to_image(on_canvas), there);
+}
+
+}  // namespace morphkit::edit

@@ -1,0 +1,135 @@
+#pragma once
+// What is edited: the project, what is selected in it, and every earlier state. Knows no window and no files.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "cli/edit/document/history.h"
+#include "morph/project/project.h"
+#include "morph/render/stage.h"
+
+namespace morphkit::edit {
+
+using render::SideName;
+
+inline SideName other(SideName side) {
+  return side == SideName::kSource ? SideName::kDestination : SideName::kSource;
+}
+
+/// The numbers that sliders change, for the project or for the selected features.
+enum class Tuning { kA, kB, kP };
+
+/// Which timing an easing is set for.
+enum class Progress { kShape, kDissolve };
+
+/// Every operation below that changes the project is one step of undo, unless it stands between `begin` and `end`,
+/// which make one step of all that happens between them. An operation that changes nothing makes no step. Positions
+/// are px of the picture of that side; they are kept within project limits (kMaxCoordinate) and finite. Indices are
+/// into project().features; vertices are row * columns + column.
+class Document {
+ public:
+  /// @param source, destination  sizes of the pictures, px.
+  Document(project::Project project, cv::Size source, cv::Size destination);
+
+  const project::Project& project() const noexcept { return state_.project; }
+  const Selection& selection() const noexcept { return state_.selection; }
+  cv::Size picture_size(SideName side) const noexcept { return side == SideName::kSource ? source_ : destination_; }
+  std::uint64_t revision() const noexcept { return revision_; }  ///< another number whenever the project changes
+
+  // Steps
+  void begin();   ///< the following belongs together. @pre not begun
+  void end();     ///< a step of undo, if anything has changed
+  void cancel();  ///< back to what was at `begin`
+  bool in_step() const noexcept { return before_.has_value(); }
+  bool undo();  ///< false: nothing to undo. @pre not begun
+  bool redo();
+  bool can_undo() const noexcept { return history_.can_undo(); }
+  bool can_redo() const noexcept { return history_.can_redo(); }
+
+  /// Whether the project differs from what was last marked as saved. Undoing back to it makes it unchanged again.
+  bool changed() const;
+  /// @param project  what is in the file now: with its `file` and `original`.
+  void mark_saved(const project::Project& project);
+  /// Takes another project (one restored, or edited by hand) as one step of undo; nothing is selected then. `file` and
+  /// `original` stay those of what was last marked as saved, here and on undo.
+  void replace(project::Project project);
+
+  // Selection; no steps of undo
+  void select(Selection selection);  ///< what does not exist is left out
+  void select_all_features();
+  void select_all_vertices();
+  void select_none() { select({}); }
+
+  // Features. New ones are selected. The partner of a new mark lies where the warp so far carries it. Each gives the
+  // new index, or -1 if it would be no feature (both ends in one place, numbers that are not finite, too many).
+  int add_line(SideName side, cv::Point2d from, cv::Point2d to);
+  int add_point(SideName side, cv::Point2d at);
+  /// Through the points (Catmull-Rom). -1 also if they make no curve (motion::Curve::problem).
+  int add_curve(SideName side, const std::vector<cv::Point2d>& points, bool closed);
+  /// An end of a line, a point, a control point of a curve. What would make no feature (a line or a curve without
+  /// length) is not done. Ends that lie at one place on both sides move together. @return whether it was done.
+  bool move_point(int feature, SideName side, int point, cv::Point2d to);
+  void move_selected(SideName side, cv::Point2d by);  ///< features and vertices
+  void erase_selected();                              ///< features; vertices cannot be
+  void duplicate_selected(cv::Point2d by);            ///< copies with new ids, moved on both sides, selected
+  void swap_ends_selected();                          ///< of lines and open curves, on both sides: the same warp
+  void swap_end_on(SideName side);  ///< of the selected, on one side: mends a line drawn the other way round
+  /// @return what is wrong with the name (empty, taken), or nothing.
+  std::optional<std::string> rename(int feature, const std::string& id);
+  /// Puts the selected features into the group, which is made if need be; empty: into none. Groups that nothing
+  /// belongs to any more and that say nothing go away. @return what is wrong with the name, or nothing.
+  std::optional<std::string> group_selected(const std::string& group);
+
+  // Tuning: of the selected features, or of the project if none is selected
+  double tuning(Tuning which) const;       ///< effective, of the first selected feature
+  bool tuning_is_own(Tuning which) const;  ///< whether it is set there, not inherited
+  void tune(Tuning which, double value);   ///< clamped to what the project file allows
+  void untune();                           ///< the selected features inherit these numbers and timings again
+  motion::Timing timing(Progress which) const;
+  /// Delays and durations stay, each feature's own. Not done if the project file would not take it.
+  void set_easing(Progress which, const motion::Easing& easing);
+  project::Method method() const { return project::method_of(project()); }
+  void set_method(project::Method method);  ///< kMesh makes a mesh of 5 x 5 if there is none
+
+  // Mesh
+  void make_mesh(int columns, int rows);  ///< evenly spaced on both pictures; replaces one that is there
+  bool has_mesh() const noexcept { return project().mesh.has_value(); }
+  /// Positions of the vertices of a side, those of a uniform mesh too. Empty without a mesh.
+  std::vector<cv::Point2d> mesh_vertices(SideName side) const;
+  /// Vertices at the border slide along it, corners stay; all stay on the picture. They may come to fold.
+  void move_vertices(std::span<const int> vertices, SideName side, cv::Point2d by);
+  void insert_column(int after, double fraction);  ///< between `after` and the next, on both sides at that fraction
+  void insert_row(int after, double fraction);
+  bool remove_column(int column);  ///< inner ones only: two columns always stay. @return whether it was done
+  bool remove_row(int row);
+
+  /// Where the warp so far carries a position of one picture in the other; without features where the canvas has it.
+  cv::Point2d counterpart(SideName side, cv::Point2d position) const;
+
+ private:
+  void change(const std::function<void(project::Project&)>& edit);
+  void change_selected(const std::function<void(project::Feature&)>& edit);
+  void take(State state);
+  void touch();
+  int add(project::Feature feature);
+  void change_mesh(bool columns, const std::function<void(project::Mesh&)>& edit, const std::function<int(int)>& moved);
+  void insert(bool column, int after, double fraction);
+  bool remove(bool column, int which);
+  cv::Point2d partner_end(SideName side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const;
+
+  cv::Size source_, destination_;
+  State state_;
+  std::optional<State> before_;
+  History history_;
+  project::Project saved_;
+  std::uint64_t revision_ = 0;
+  mutable std::optional<bool> changed_;  ///< the answer for this revision, if asked before
+};
+
+}  // namespace morphkit::edit

@@ -1,0 +1,185 @@
+#include "cli/edit/document/storage.h"
+
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+
+namespace morphkit::edit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return text;
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, true);
+}
+
+std::string local_time(fs::file_time_type time) {
+  const auto since_now = std::chrono::duration_cast<std::chrono::seconds>(time - fs::file_time_type::clock::now());
+  const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() + since_now);
+  std::tm parts = {};
+  localtime_r(&seconds, &parts);
+  char text[sizeof("2026-11-23 14:05")] = {};
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+  return text;
+}
+
+}  // namespace
+
+void require_savable(const project::Project& project) {
+  static_cast<void>(project::to_text(project));
+  const AtomicFile there(project.file, true);  // and gone again
+}
+
+Storage::Storage(const project::Project& project) : file_(project.file) {
+  if (project.original) known_ = *project.original;
+  const std::optional<Stamp> now = stamp();
+  if (text_of(file_) == known_) stamp_ = now;
+}
+
+Storage::~Storage() {
+  finish();
+}
+
+fs::path Storage::autosave_file() const {
+  fs::path file = file_;
+  return file += ".autosave";
+}
+
+std::optional<Storage::Stamp> Storage::stamp() const {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(file_, error);
+  if (error) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(file_, error);
+  if (error) return std::nullopt;
+  return Stamp{time, size};
+}
+
+project::Project Storage::save(project::Project project) {
+  project.file = file_;
+  auto text = std::make_shared<const std::string>(project::to_text(project));
+  write_text(file_, *text);
+  known_ = *text;
+  stamp_ = stamp();
+  project.original = std::move(text);
+  drop_autosave();
+  return project;
+}
+
+bool Storage::changed_by_others() {
+  const std::optional<Stamp> now = stamp();
+  if (!now || now == stamp_) return false;
+  const std::optional<std::string> text = text_of(file_);
+  if (text != known_) return text.has_value();
+  stamp_ = now;
+  return false;
+}
+
+bool Storage::news_of_others() {
+  const std::optional<Stamp> now = stamp();
+  if (now == told_ || !changed_by_others()) return false;
+  told_ = now;
+  return true;
+}
+
+project::Project Storage::read() {
+  read_stamp_ = stamp();
+  project::Project project = project::load(file_);
+  read_ = *project.original;
+  return project;
+}
+
+void Storage::accept() {
+  known_ = read_;
+  stamp_ = read_stamp_;
+}
+
+bool Storage::autosave(const project::Project& project) {
+  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  finish();
+  writing_ = std::async(std::launch::async, [file = autosave_file(), project] {
+    try {
+      write_text(file, project::to_text(project));
+      return std::string();
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  });
+  return true;
+}
+
+std::string Storage::autosave_problem() {
+  if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish();
+  return std::exchange(problem_, {});
+}
+
+void Storage::finish() {
+  if (!writing_.valid()) return;
+  std::string problem = writing_.get();
+  if (!problem.empty()) problem_ = std::move(problem);
+}
+
+void Storage::drop_autosave() {
+  finish();
+  std::error_code ignored;  // what cannot be removed is offered again, which loses nothing
+  fs::remove(autosave_file(), ignored);
+}
+
+fs::path Storage::rescue(const project::Project& project) {
+  finish();
+  const std::string text = project::to_text(project);
+  try {
+    write_text(autosave_file(), text);
+    return autosave_file();
+  } catch (const Error&) {
+    std::error_code error;
+    fs::path elsewhere = fs::temp_directory_path(error) / autosave_file().filename();
+    write_text(elsewhere, text);
+    return elsewhere;
+  }
+}
+
+std::optional<fs::path> Storage::set_autosave_aside() {
+  for (int number = 1;; ++number) {
+    fs::path aside = autosave_file();
+    aside += std::string(".").append(std::to_string(number));
+    std::error_code error;
+    if (fs::exists(aside, error)) continue;
+    if (!error) fs::rename(autosave_file(), aside, error);
+    return error ? std::nullopt : std::optional(aside);
+  }
+}
+
+std::optional<Leftover> Storage::leftover() const {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(autosave_file(), error);
+  const std::optional<std::string> text = error ? std::nullopt : text_of(autosave_file());
+  if (!text || text == known_) return std::nullopt;
+  Leftover leftover{std::nullopt, local_time(time)};
+  try {
+    leftover.project = project::parse(*text, autosave_file());
+    leftover.project->file = file_;
+  } catch (const Error&) {
+    // Not written by this version of the program.
+  }
+  return leftover;
+}
+
+}  // namespace morphkit::edit

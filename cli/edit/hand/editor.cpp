@@ -1,0 +1,304 @@
+#include "cli/edit/hand/editor.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/edit/hand/snap.h"
+
+namespace morphkit::edit {
+namespace {
+
+EdgeFinder edges_of(const Pyramid& source, const Pyramid& destination) {
+  return [&](SideName side, cv::Point2d position, double radius, double zoom) {
+    return strongest_edge(side == SideName::kSource ? source : destination, position, radius, zoom);
+  };
+}
+
+bool same_view(const PreviewRequest& a, const PreviewRequest& b) {
+  return a.t == b.t && a.show == b.show && a.folds == b.folds && a.view == b.view && a.size == b.size;
+}
+
+/// Whether both name the same files, however they spell them.
+bool same_picture(const project::Project& a, const project::Side& of_a, const project::Project& b,
+                  const project::Side& of_b) {
+  project::Side renamed = of_a;
+  renamed.image = of_b.image;
+  std::error_code error;
+  return renamed == of_b &&
+         (of_a.image == of_b.image ||
+          std::filesystem::equivalent(project::resolve(a, of_a.image), project::resolve(b, of_b.image), error));
+}
+
+bool same_pictures(const project::Project& a, const project::Project& b) {
+  return same_picture(a, a.source, b, b.source) && same_picture(a, a.destination, b, b.destination);
+}
+
+/// What has no file yet begins empty: features that it came with are the first change.
+project::Project beginning(const project::Project& project) {
+  project::Project begun = project;
+  if (project.original) return begun;
+  begun.features.clear();
+  begun.groups.clear();
+  begun.mesh.reset();
+  return begun;
+}
+
+}  // namespace
+
+Editor::Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas)
+    : source_(pictures.source.image),
+      destination_(pictures.destination.image),
+      model_(beginning(project), source_.size(), destination_.size(), canvas),
+      gestures_(model_, edges_of(source_, destination_)),
+      storage_(model_.document.project()),
+      canvas_(source_, destination_),
+      thread_(source_, destination_) {
+  if (!project::same_document(project, model_.document.project())) model_.document.replace(std::move(project));
+  const project::Project& loaded = model_.document.project();
+  model_.fit_views();
+  model_.file_name = storage_.file().filename().string();
+  model_.welcome = loaded.features.empty() && !loaded.mesh;
+  if (loaded.mesh && project::method_of(loaded) == project::Method::kMesh) model_.tool = Tool::kMesh;
+  if (!model_.document.changed()) kept_revision_ = model_.document.revision();
+  leftover_ = storage_.leftover();
+  if (leftover_) meet_leftover();
+}
+
+/// Offers it; or puts it aside, if it is not for these pictures.
+void Editor::meet_leftover() {
+  if (leftover_->project && same_pictures(*leftover_->project, model_.document.project())) {
+    ask(Asked::kRestore, {"Unsaved work was found",
+                          {fmt::format("{} was being changed until {}", model_.file_name, leftover_->when),
+                           "and not saved when the program ended."},
+                          {{'r', "Restore it (r)"}, {'d', "Discard it (d)"}, {'n', "Not now (n)"}}});
+    return;
+  }
+  put_leftover_aside();
+}
+
+void Editor::put_leftover_aside() {
+  leftover_.reset();
+  const std::optional<std::filesystem::path> aside = storage_.set_autosave_aside();
+  say(aside ? fmt::format("unsaved work of an earlier session is kept in {}", aside->filename().string())
+            : "unsaved work of an earlier session could not be put aside");
+}
+
+std::string Editor::title() const {
+  if (model_.question) return fmt::format("{} - morphkit", model_.question->title);
+  return fmt::format("{}{} - morphkit", model_.document.changed() ? "*" : "", model_.file_name);
+}
+
+void Editor::mouse(const Mouse& event) {
+  if (event.what == Mouse::What::kPress) model_.message.clear();
+  grant(gestures_.mouse(event));
+  stale_ = true;
+}
+
+void Editor::key(int key) {
+  model_.message.clear();
+  grant(gestures_.key(key));
+  stale_ = true;
+}
+
+void Editor::grant(std::optional<Wish> wish) {
+  if (wish == Wish::kSave) save(false);
+  if (wish == Wish::kClose) close();
+}
+
+void Editor::say(std::string message) {
+  model_.message = std::move(message);
+  stale_ = true;
+}
+
+void Editor::ask(Asked what, Question question) {
+  asked_ = what;
+  model_.question = std::move(question);
+  model_.answer.reset();
+  stale_ = true;
+}
+
+void Editor::turn(double now) {
+  if (started_) {
+    const double t = model_.t;
+    gestures_.tick(now - now_);
+    if (model_.t != t) stale_ = true;
+  }
+  started_ = true;
+  now_ = now;
+  if (model_.answer) take_answer();
+  look_at_file();
+  keep_autosave();
+  request_preview();
+  take_preview();
+}
+
+const cv::Mat3b& Editor::draw() {
+  stale_ = false;
+  return canvas_.draw(model_, preview_);
+}
+
+void Editor::take_answer() {
+  const char answer = *model_.answer;
+  model_.question.reset();
+  model_.answer.reset();
+  stale_ = true;
+  const auto asked = std::exchange(asked_, Asked::kNothing);
+  if (asked == Asked::kRestore) {
+    if (answer == 'r') {
+      model_.document.replace(std::move(*leftover_->project));
+      model_.welcome = false;
+      autosave_is_there_ = true;
+      say("restored; s saves it");
+    } else if (answer == 'd') {
+      storage_.drop_autosave();
+    } else {
+      put_leftover_aside();
+    }
+    leftover_.reset();
+  } else if (asked == Asked::kClose) {
+    if (answer == 's') {
+      close_after_save_ = true;
+      if (save(false)) done_ = true;
+    } else if (answer == 'd') {
+      storage_.drop_autosave();
+      done_ = true;
+    }
+  } else if (asked == Asked::kOverwrite) {
+    if (answer == 'o' && save(true) && close_after_save_) done_ = true;
+    if (answer == 't') take_theirs();
+    close_after_save_ = false;
+  }
+}
+
+bool Editor::save(bool over_changes_of_others) {
+  if (!over_changes_of_others && storage_.changed_by_others()) {
+    ask(Asked::kOverwrite, {fmt::format("{} has been changed by another program", model_.file_name),
+                            {"Saving would overwrite what it wrote. Theirs can be taken instead;",
+                             "your own state then stays one step of undo away."},
+                            {{'o', "Overwrite it (o)"}, {'t', "Take theirs (t)"}, {'c', "Cancel (c)"}}});
+    return false;
+  }
+  try {
+    model_.document.mark_saved(storage_.save(model_.document.project()));
+  } catch (const Error& error) {
+    close_after_save_ = false;
+    say(fmt::format("not saved: {}", error.what()));
+    return false;
+  }
+  autosave_is_there_ = false;
+  kept_revision_ = model_.document.revision();
+  say(fmt::format("saved {}", model_.file_name));
+  return true;
+}
+
+void Editor::take_theirs() {
+  try {
+    project::Project theirs = storage_.read();
+    if (!same_pictures(theirs, model_.document.project())) {
+      say(fmt::format("{} names other pictures now: close and open it again", model_.file_name));
+      return;
+    }
+    storage_.accept();
+    model_.document.replace(theirs);
+    model_.document.mark_saved(theirs);
+    say(fmt::format("{} was changed by another program; this is what it says now", model_.file_name));
+  } catch (const Error& error) {
+    say(fmt::format("not taken: {}", error.what()));
+  }
+}
+
+void Editor::look_at_file() {
+  if (now_ - looked_at_file_ < kLookAtFileEvery || model_.document.in_step() || model_.question) return;
+  looked_at_file_ = now_;
+  if (!storage_.news_of_others()) return;
+  if (model_.document.changed()) {
+    say(fmt::format("{} has been changed by another program; s asks what to do", model_.file_name));
+  } else {
+    take_theirs();
+  }
+}
+
+void Editor::keep_autosave() {
+  if (std::string problem = storage_.autosave_problem(); !problem.empty()) {
+    say(fmt::format("autosave failed: {}", problem));
+    kept_revision_ = kNoRevision;
+    unkept_since_ = now_;
+  }
+  if (asked_ == Asked::kRestore) return;  // what is there is still wanted
+  const std::uint64_t revision = model_.document.revision();
+  if (revision == kept_revision_) {
+    unkept_since_.reset();
+    return;
+  }
+  if (!unkept_since_) unkept_since_ = now_;
+  if (now_ - *unkept_since_ < kAutosaveAfter) return;
+  if (!model_.document.changed()) {
+    drop_autosave();
+  } else if (storage_.autosave(model_.document.project())) {
+    autosave_is_there_ = true;
+  } else {
+    return;
+  }
+  kept_revision_ = revision;
+}
+
+void Editor::drop_autosave() {
+  if (std::exchange(autosave_is_there_, false)) storage_.drop_autosave();
+}
+
+std::string Editor::rescue() noexcept try {
+  if (!model_.document.changed()) return "nothing was unsaved";
+  // Somebody's earlier work is still there, unanswered.
+  if (std::exchange(asked_, Asked::kNothing) == Asked::kRestore) storage_.set_autosave_aside();
+  return fmt::format("what was not saved is in {}", storage_.rescue(model_.document.project()).string());
+} catch (const std::exception& error) {
+  return fmt::format("what was not saved is lost: {}", error.what());
+}
+
+void Editor::close() {
+  if (!model_.document.changed()) {
+    drop_autosave();
+    done_ = true;
+    return;
+  }
+  ask(Asked::kClose, {fmt::format("Save {} before closing?", model_.file_name),
+                      {"Changes since the last save would be lost."},
+                      {{'s', "Save and close (s)"}, {'d', "Close without saving (d)"}, {'c', "Cancel (c)"}}});
+}
+
+void Editor::request_preview() {
+  PreviewRequest request;
+  request.t = model_.t;
+  request.show = model_.show;
+  request.folds = model_.switches.folds;
+  request.view = model_.result_view;
+  request.size = layout_of(model_).pane(Pane::kResult).size();
+  const std::uint64_t revision = model_.document.revision();
+  if (requested_ && same_view(*requested_, request) && requested_revision_ == revision) return;
+  const bool same_project = requested_ && requested_revision_ == revision;
+  request.project =
+      same_project ? requested_->project : std::make_shared<const project::Project>(model_.document.project());
+  request.number = requested_ ? requested_->number + 1 : 1;
+  requested_ = request;
+  requested_revision_ = revision;
+  thread_.request(std::move(request));
+}
+
+void Editor::take_preview() {
+  std::optional<PreviewPicture> picture = thread_.take();
+  if (!picture) return;
+  preview_ = std::move(*picture);
+  stale_ = true;
+}
+
+void Editor::finish_preview() {
+  request_preview();
+  thread_.finish();
+  take_preview();
+}
+
+}  // namespace morphkit::edit

@@ -1,0 +1,107 @@
+#include "cli/edit/view/canvas.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "cli/edit/view/draw_chrome.h"
+#include "cli/edit/view/draw_marks.h"
+#include "cli/edit/view/draw_overlays.h"
+#include "cli/edit/view/layout.h"
+#include "cli/edit/view/paint.h"
+#include "cli/edit/view/picking.h"
+
+namespace morphkit::edit {
+namespace {
+
+/// From here on pixels are shown as squares.
+constexpr double kSquaresAbove = 6;
+
+cv::Mat3b seen(const Pyramid& pyramid, const View& view, cv::Size pane) {
+  const cv::Mat3b& level = pyramid.display(view.zoom);
+  const double across = static_cast<double>(level.cols) / pyramid.size().width;
+  const double down = static_cast<double>(level.rows) / pyramid.size().height;
+  const cv::Point2d corner = view.to_picture({0.5, 0.5}, pane);
+  const cv::Matx23d map(across / view.zoom, 0, corner.x * across - 0.5, 0, down / view.zoom, corner.y * down - 0.5);
+  return placed(level, map, pane, view.zoom > kSquaresAbove ? cv::INTER_NEAREST : cv::INTER_LINEAR);
+}
+
+/// Words broken into lines that fit.
+std::vector<std::string> wrapped(const std::string& text, const Type& type, int height, int width) {
+  std::vector<std::string> lines(1);
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || type.width(longer, height) <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+    begin = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+const cv::Mat3b& Canvas::draw(const Model& model, const PreviewPicture& preview) {
+  const Layout layout = layout_beneath(model);
+  canvas_.create(model.canvas_size);
+  fill(canvas_, {{0, 0}, canvas_.size()}, palette::kBackground);
+  draw_picture(model, layout, SideName::kSource);
+  draw_picture(model, layout, SideName::kDestination);
+  draw_result(model, layout, preview);
+  draw_chrome(canvas_, model, layout, preview, type_);
+  if (model.switches.loupe && !model.help && !model.question) draw_loupe(canvas_, model, layout, source_, destination_);
+  if (model.welcome && !model.question) draw_welcome(canvas_, layout, type_);
+  if (model.help && !model.question) draw_help(canvas_, layout, type_);
+  if (model.question) draw_question(canvas_, model, layout_of(model), type_);
+  return canvas_;
+}
+
+void Canvas::draw_picture(const Model& model, const Layout& layout, SideName side) {
+  const Pane pane = pane_of(side);
+  const cv::Rect& rect = layout.pane(pane);
+  std::optional<Shown>& shown = shown_[static_cast<int>(pane)];
+  const View& view = model.view(pane);
+  if (!shown || shown->view != view || shown->pixels.size() != rect.size())
+    shown = Shown{view, seen(side == SideName::kSource ? source_ : destination_, view, rect.size())};
+  cv::Mat3b target = canvas_(rect);
+  shown->pixels.copyTo(target);
+  draw_marks(target, model, side, layout.scale, type_);
+}
+
+void Canvas::draw_result(const Model& model, const Layout& layout, const PreviewPicture& preview) {
+  cv::Mat3b target = canvas_(layout.pane(Pane::kResult));
+  if (!preview.problem.empty()) {
+    const int height = static_cast<int>(14 * layout.scale);
+    int y = target.rows / 3;
+    for (const std::string& line : wrapped(preview.problem, type_, height, target.cols - 4 * height))
+      type_.draw(target, line, {2 * height, y += 2 * height}, height, palette::kText);
+    return;
+  }
+  const cv::Rect area = preview.area & cv::Rect({0, 0}, target.size());
+  if (preview.image.empty() || area.empty() || area != preview.area) return;  // or of a pane that had another size
+  cv::resize(preview.image, target(area), area.size(), 0, 0, cv::INTER_LINEAR);
+  const bool lines = model.document.method() == project::Method::kLines;
+  if (model.switches.features && lines) draw_between(target, model, pairs_of(model), layout.scale);
+}
+
+const std::vector<render::LinePair>& Canvas::pairs_of(const Model& model) {
+  if (paired_revision_ != model.document.revision()) {
+    const project::Project& project = model.document.project();
+    const cv::Size canvas = model.content_size(Pane::kResult);
+    const auto placed = [&](SideName side) {
+      return render::place(model.document.picture_size(side), canvas, project.output.fit);
+    };
+    pairs_ = render::line_pairs(project, placed(SideName::kSource), placed(SideName::kDestination));
+    paired_revision_ = model.document.revision();
+  }
+  return pairs_;
+}
+
+}  // namespace morphkit::edit

@@ -1,0 +1,48 @@
+#pragma once
+// The model as a picture.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "cli/edit/view/model.h"
+#include "cli/edit/view/preview.h"
+#include "cli/edit/view/pyramid.h"
+#include "cli/edit/view/text.h"
+#include "morph/render/inbetween.h"
+
+namespace morphkit::edit {
+
+/// Draws models. Keeps what does not change from one picture to the next.
+class Canvas {
+ public:
+  /// The pyramids outlive it.
+  Canvas(const Pyramid& source, const Pyramid& destination) : source_(source), destination_(destination) {}
+
+  /// @param preview  the newest; an empty image: not there yet, or its `problem` is shown.
+  /// @return BGR of model.canvas_size; valid until the next call.
+  const cv::Mat3b& draw(const Model& model, const PreviewPicture& preview);
+
+ private:
+  /// A picture as a view shows it, without marks.
+  struct Shown {
+    View view;
+    cv::Mat3b pixels;
+  };
+
+  void draw_picture(const Model& model, const Layout& layout, SideName side);
+  void draw_result(const Model& model, const Layout& layout, const PreviewPicture& preview);
+  const std::vector<render::LinePair>& pairs_of(const Model& model);
+
+  const Pyramid& source_;
+  const Pyramid& destination_;
+  Type type_;
+  cv::Mat3b canvas_;
+  std::optional<Shown> shown_[2];
+  std::optional<std::uint64_t> paired_revision_;
+  std::vector<render::LinePair> pairs_;  ///< of that revision
+};
+
+}  // namespace morphkit::edit

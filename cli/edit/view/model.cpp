@@ -1,0 +1,17 @@
+#include "cli/edit/view/model.h"
+
+#include "morph/render/stage.h"
+
+namespace morphkit::edit {
+
+cv::Size Model::content_size(Pane pane) const {
+  if (pane == Pane::kResult) return render::canvas_size(document.project(), document.picture_size(SideName::kSource));
+  return document.picture_size(pane == Pane::kSource ? SideName::kSource : SideName::kDestination);
+}
+
+void Model::fit_views() {
+  const Layout layout = layout_of(*this);
+  for (const Pane pane : kPanes) view(pane) = fitted(content_size(pane), layout.pane(pane).size());
+}
+
+}  // namespace morphkit::edit

@@ -1,0 +1,137 @@
+#include "cli/edit/view/picking.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "cli/edit/document/marks.h"
+#include "morph/motion/curve.h"
+
+namespace morphkit::edit {
+namespace {
+
+constexpr int kPiecesPerSegment = 16;
+
+double distance(cv::Point2d a, cv::Point2d b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+double distance_to_segment(cv::Point2d at, cv::Point2d p, cv::Point2d q) {
+  const cv::Point2d d = q - p;
+  const double squared = d.dot(d);
+  const double u = squared > 0 ? std::clamp((at - p).dot(d) / squared, 0.0, 1.0) : 0.0;
+  return distance(at, p + u * d);
+}
+
+/// Keeps the nearest of what it is shown.
+struct Nearest {
+  double distance;
+  std::optional<Handle> handle;
+
+  void offer(double candidate_distance, const Handle& candidate) {
+    if (!(candidate_distance < distance)) return;
+    distance = candidate_distance;
+    handle = candidate;
+  }
+};
+
+std::optional<Handle> vertex_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+  Nearest nearest{reach, {}};
+  const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    nearest.offer(distance(at, vertices[i]), {side, -1, -1, static_cast<int>(i)});
+  return nearest.handle;
+}
+
+std::optional<Handle> point_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+  Nearest nearest{reach, {}};
+  const auto& features = document.project().features;
+  for (std::size_t f = 0; f < features.size(); ++f) {
+    const std::vector<cv::Point2d>& points = points_of(features[f], side);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      nearest.offer(distance(at, points[p]), {side, static_cast<int>(f), static_cast<int>(p), -1});
+  }
+  return nearest.handle;
+}
+
+std::optional<Handle> body_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+  Nearest nearest{reach, {}};
+  const auto& features = document.project().features;
+  for (std::size_t f = 0; f < features.size(); ++f) {
+    const std::vector<cv::Point2d> outline = outline_of(features[f], side);
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+      nearest.offer(distance_to_segment(at, outline[i], outline[i + 1]), {side, static_cast<int>(f), -1, -1});
+  }
+  return nearest.handle;
+}
+
+}  // namespace
+
+cv::Point2d to_content(const Model& model, const Layout& layout, Pane pane, cv::Point2d canvas) {
+  const cv::Rect& rect = layout.pane(pane);
+  return model.view(pane).to_picture(canvas - cv::Point2d(rect.tl()), rect.size());
+}
+
+cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::Point2d content) {
+  const cv::Rect& rect = layout.pane(pane);
+  return cv::Point2d(rect.tl()) + model.view(pane).to_pane(content, rect.size());
+}
+
+std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName side) {
+  const std::vector<cv::Point2d>& points = points_of(feature, side);
+  if (feature.kind != project::FeatureKind::kCurve) return points;
+  if (motion::Curve::problem(feature.curve, points, feature.closed)) return points;
+  const motion::Curve curve(feature.curve, points, feature.closed);
+  const int pieces = curve.segments() * (feature.curve == motion::CurveKind::kPolyline ? 1 : kPiecesPerSegment);
+  std::vector<cv::Point2d> outline;
+  outline.reserve(static_cast<std::size_t>(pieces) + 1);
+  for (int i = 0; i <= pieces; ++i) outline.push_back(curve.at(static_cast<double>(i) * curve.segments() / pieces));
+  return outline;
+}
+
+std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas) {
+  const std::optional<Pane> pane = layout.pane_at(canvas);
+  if (!pane || *pane == Pane::kResult || !model.switches.features) return std::nullopt;
+  const SideName side = side_of(*pane);
+  const cv::Point2d at = to_content(model, layout, *pane, canvas);
+  const double px = layout.scale / model.view(*pane).zoom;
+  if (model.tool == Tool::kMesh) return vertex_at(model.document, side, at, kHandleReach * px);
+  const auto point = point_at(model.document, side, at, kHandleReach * px);
+  return point ? point : body_at(model.document, side, at, kBodyReach * px);
+}
+
+cv::Point2d position_of(const Document& document, const Handle& handle) {
+  if (handle.vertex >= 0) return document.mesh_vertices(handle.side)[static_cast<std::size_t>(handle.vertex)];
+  const project::Feature& feature = document.project().features[static_cast<std::size_t>(handle.feature)];
+  return points_of(feature, handle.side)[static_cast<std::size_t>(std::max(0, handle.point))];
+}
+
+std::optional<MeshPlace> mesh_place_at(const Document& document, SideName side, cv::Point2d position) {
+  if (!document.has_mesh()) return std::nullopt;
+  const int columns = document.project().mesh->columns;
+  const int rows = document.project().mesh->rows;
+  const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
+  const auto vertex = [&](int column, int row) {
+    const int index = row * columns + column;
+    return vertices[static_cast<std::size_t>(index)];
+  };
+  for (int row = 0; row + 1 < rows; ++row)
+    for (int column = 0; column + 1 < columns; ++column) {
+      const cv::Point2d corners[] = {vertex(column, row), vertex(column + 1, row), vertex(column + 1, row + 1),
+                                     vertex(column, row + 1)};
+      const std::vector<cv::Point2f> quad(std::begin(corners), std::end(corners));
+      if (cv::pointPolygonTest(quad, position, false) < 0) continue;
+      const auto share = [](double before, double after) {
+        return before + after > 0 ? before / (before + after) : 0.5;
+      };
+      return MeshPlace{column, row,
+                       share(distance_to_segment(position, corners[0], corners[3]),
+                             distance_to_segment(position, corners[1], corners[2])),
+                       share(distance_to_segment(position, corners[0], corners[1]),
+                             distance_to_segment(position, corners[3], corners[2]))};
+    }
+  return std::nullopt;
+}
+
+}  // namespace morphkit::edit

@@ -1,0 +1,64 @@
+#pragma once
+// The result pane: one moment of the morph as far as it is looked at, at the size at which it is looked at.
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <opencv2/core.hpp>
+
+#include "cli/edit/view/model.h"
+#include "cli/edit/view/pyramid.h"
+#include "morph/render/stage.h"
+
+namespace morphkit::edit {
+
+struct PreviewRequest {
+  std::shared_ptr<const project::Project> project;
+  double t = 0;
+  Show show = Show::kDissolve;
+  bool folds = false;        ///< paint them red
+  View view;                 ///< of the canvas that is rendered
+  cv::Size size;             ///< of the pane, px
+  std::uint64_t number = 0;  ///< told back with the picture
+};
+
+struct PreviewPicture {
+  cv::Mat3b image;  ///< BGR for the screen, to be shown at the size of `area`; empty: there is none
+  cv::Rect area;    ///< of the pane, px: where the canvas that is rendered can be seen
+  double fold_share = std::numeric_limits<double>::quiet_NaN();  ///< of the pixels shown; NaN if not looked for
+  bool draft = false;                                            ///< a sharper one follows
+  std::uint64_t number = 0;                                      ///< of its request
+  std::string problem;                                           ///< why there is none; empty if there is one
+  double milliseconds = 0;                                       ///< that it took
+};
+
+/// Renders previews, and keeps what many of them share: the pictures, placed and reduced for the view. Not thread-safe.
+class PreviewRenderer {
+ public:
+  /// The pyramids outlive it.
+  PreviewRenderer(const Pyramid& source, const Pyramid& destination) : source_(source), destination_(destination) {}
+
+  /// @param reduction  1: as many px as the pane has; n: one for n x n of them, and `draft` is set.
+  /// What cannot be rendered is told in `problem`. A background picture is not shown.
+  PreviewPicture render(const PreviewRequest& request, int reduction = 1);
+
+ private:
+  struct Placed {
+    render::CanvasView view;
+    project::Fit fit = project::Fit::kCover;
+    std::optional<warp::Border> border;
+    std::optional<cv::Size> canvas;
+    render::Stage stage;
+  };
+
+  const render::Stage& stage_of(const PreviewRequest& request, const cv::Rect& area, int reduction);
+
+  const Pyramid& source_;
+  const Pyramid& destination_;
+  std::optional<Placed> placed_, placed_draft_;  ///< a draft before each picture must not push out what that needs
+};
+
+}  // namespace morphkit::edit

@@ -1,0 +1,81 @@
+#pragma once
+// Reading a JSON tree with types, ranges and messages that name the place.
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "morph/json/json.h"
+
+namespace morphkit::json {
+
+/// A tree and the name that messages give it.
+struct Document {
+  std::string file;
+  Node root;
+};
+
+/// One value of a document. Cheap to copy; valid while the document is. Its JSON pointer is found only when a message
+/// needs it.
+class Cursor {
+ public:
+  explicit Cursor(const Document& document) : Cursor(document, document.root) {}
+  Cursor(const Document& document, const Node& node) : document_(&document), node_(&node) {}
+
+  const Node& node() const noexcept { return *node_; }
+  bool is(Kind kind) const noexcept { return node_->is(kind); }
+  std::string pointer() const;
+
+  /// @throws Error kBadInput "file: pointer: message".
+  [[noreturn]] void fail(const std::string& message) const;
+  /// "expected <what>, found <this>".
+  [[noreturn]] void fail_expected(const std::string& what) const;
+
+  // Objects.
+  /// Refuses keys that are not `allowed`, with the nearest one that is.
+  void allow_keys(std::initializer_list<std::string_view> allowed) const;
+  std::optional<Cursor> find(std::string_view key) const;
+  /// @param why  the end of "<key> is missing: ...".
+  Cursor require(std::string_view key, const std::string& why) const;
+
+  // Arrays.
+  /// @param what  names what is expected, for the message.
+  void expect_array(std::size_t least, std::size_t most, const std::string& what) const;
+  std::size_t size() const noexcept { return node_->items.size(); }
+  Cursor item(std::size_t i) const { return {*document_, node_->items[i]}; }
+
+  // Scalars.
+  double number(double least, double most) const;
+  int integer(int least, int most) const;
+  bool boolean() const;
+  const std::string& string() const;
+  /// Not empty and without control characters: ids and paths.
+  const std::string& name(const std::string& what) const;
+
+  template <typename T>
+  using Names = std::span<const std::pair<std::string_view, T>>;
+  /// One of the named values. @param what  names the choice, e.g. "filter".
+  template <typename T>
+  T choice(const std::string& what, Names<T> names) const {
+    const std::string& text = string();
+    for (const auto& [name, value] : names) {
+      if (name == text) return value;
+    }
+    std::vector<std::string_view> allowed;
+    for (const auto& entry : names) allowed.push_back(entry.first);
+    fail_unknown(what, text, allowed);
+  }
+
+ private:
+  [[noreturn]] void fail_unknown(const std::string& what, std::string_view found,
+                                 std::span<const std::string_view> allowed) const;
+
+  const Document* document_;
+  const Node* node_;
+};
+
+}  // namespace morphkit::json

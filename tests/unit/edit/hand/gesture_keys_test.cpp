@@ -1,0 +1,269 @@
+// Keys, widgets, questions and what is typed.
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/edit/hand/hand.h"
+
+namespace morphkit::edit {
+namespace {
+
+TEST_F(GestureSession, ATuningSliderIsOneStepAndTheTimeSliderNone) {
+  model.playing = true;
+  drag(on_slider(Action::kTime, 0, 0), on_slider(Action::kTime, 0, 1) + cv::Point(400, 200));
+  EXPECT_EQ(model.t, 1);
+  EXPECT_FALSE(model.playing);
+  EXPECT_FALSE(document().can_undo());
+
+  const double before = document().tuning(Tuning::kB);
+  drag(on_slider(Action::kTune, 1, 0.1), on_slider(Action::kTune, 1, 0.75));
+  EXPECT_NEAR(document().tuning(Tuning::kB), tuning_from_slider(1, 0.75), 0.05);
+  key('z');
+  EXPECT_EQ(document().tuning(Tuning::kB), before);
+  EXPECT_FALSE(document().can_undo());
+}
+
+TEST_F(GestureSession, WidgetsDoWhatTheySay) {
+  for (int i = 0; i < 5; ++i) {
+    click(Action::kTool, i);
+    EXPECT_EQ(static_cast<int>(model.tool), i);
+    click(Action::kShow, i);
+    EXPECT_EQ(static_cast<int>(model.show), i);
+  }
+  const std::pair<Action, bool Switches::*> switches[] = {
+      {Action::kLock, &Switches::locked}, {Action::kSnap, &Switches::snap},   {Action::kOnion, &Switches::onion},
+      {Action::kFolds, &Switches::folds}, {Action::kLoupe, &Switches::loupe}, {Action::kFeatures, &Switches::features}};
+  for (const auto& [action, flag] : switches) {
+    const bool before = model.switches.*flag;
+    click(action);
+    EXPECT_NE(model.switches.*flag, before) << static_cast<int>(action);
+  }
+  click(Action::kPlay);
+  EXPECT_TRUE(model.playing);
+  for (const double speed : {2.0, 4.0, 0.25, 0.5, 1.0}) {
+    click(Action::kSpeed);
+    EXPECT_EQ(model.speed, speed);
+  }
+  EXPECT_EQ(click(Action::kSave), std::nullopt) << "nothing to save";
+  click(Action::kMethod);
+  EXPECT_TRUE(document().has_mesh());
+  EXPECT_EQ(click(Action::kSave), Wish::kSave);
+  click(Action::kUndo);
+  EXPECT_FALSE(document().has_mesh());
+  click(Action::kRedo);
+  EXPECT_TRUE(document().has_mesh());
+  click(Action::kTool, static_cast<int>(Tool::kMesh));
+  click(Action::kAddColumn);
+  click(Action::kAddRow);
+  EXPECT_EQ(document().project().mesh->columns, 6);
+  EXPECT_EQ(document().project().mesh->rows, 6);
+}
+
+TEST_F(GestureSession, EasingsGoRoundAndKeepTheirTimes) {
+  const motion::Timing slow{motion::LinearEase{}, 0.25, 0.5};
+  project::Project project = document().project();
+  project.influence.shape = slow;
+  model.document.replace(project);
+  std::set<std::size_t> seen;
+  for (int i = 0; i < 5; ++i) {
+    click(Action::kShape);
+    const motion::Timing timing = document().timing(Progress::kShape);
+    seen.insert(timing.easing.index());
+    EXPECT_EQ(timing.delay, slow.delay);
+    EXPECT_EQ(timing.duration, slow.duration);
+  }
+  EXPECT_EQ(seen.size(), 5U);
+  EXPECT_EQ(document().timing(Progress::kShape), slow);
+  click(Action::kDissolve);
+  EXPECT_NE(document().timing(Progress::kDissolve).easing.index(), motion::Timing{}.easing.index());
+}
+
+TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
+  const auto ask = [&] {
+    model.question = Question{"Well?", {"Say."}, {{'y', "Yes"}, {'n', "No"}}};
+    model.answer.reset();
+  };
+  mark_three_lines();
+  const View view = model.source_view;
+  ask();
+  for (const int code : {int{'a'}, int{'x'}, int{'z'}, int{'q'}, int{'s'}, int{kKeySpace}, int{kKeyShift}, int{'h'}})
+    EXPECT_EQ(key(code), std::nullopt);
+  drag(kSource, {20, 20}, {90, 90});
+  wheel(at(kSource, {50, 50}), 2);
+  EXPECT_EQ(features().size(), 3U);
+  EXPECT_EQ(model.source_view, view);
+  EXPECT_FALSE(model.help);
+  EXPECT_FALSE(model.answer);
+  const std::pair<int, char> answers[] = {{'y', 'y'}, {'n', 'n'}, {kKeyEnter, 'y'}, {kKeyEscape, 'n'}};
+  for (const auto& [code, answer] : answers) {
+    ask();
+    key(code);
+    EXPECT_EQ(model.answer, answer);
+  }
+  ask();
+  click(Action::kAnswer, 'y');
+  EXPECT_EQ(model.answer, 'y');
+}
+
+TEST_F(GestureSession, NamesAreTyped) {
+  drag(kSource, {100, 50}, {300, 50});
+  key('n');
+  ASSERT_TRUE(model.entry);
+  EXPECT_EQ(model.entry->text, "line 1");
+  for (int i = 0; i < 8; ++i) key(kKeyBackspace);
+  key(kKeyShift);
+  type("eyez");
+  key(kKeyBackspace);
+  type(" 2");
+  key(kKeyShift);
+  type("-q");
+  EXPECT_EQ(model.entry->text, "Eye 2-q") << "Shift is for the next character alone";
+  key(kKeyEnter);
+  EXPECT_FALSE(model.entry);
+  EXPECT_EQ(features()[0].id, "Eye 2-q");
+  key('n');
+  type("zzz");
+  key(kKeyEscape);
+  EXPECT_FALSE(model.entry);
+  EXPECT_EQ(features()[0].id, "Eye 2-q");
+  EXPECT_EQ(selected(), Indices{0}) << "Esc leaves one thing at a time";
+  EXPECT_EQ(steps_back(), 2);
+}
+
+TEST_F(GestureSession, NamesAreShortenedByWholeCharacters) {
+  drag(kSource, {100, 50}, {300, 50});
+  ASSERT_FALSE(model.document.rename(0, "nez \u00e9\U0001f441"));
+  key('n');
+  key(kKeyBackspace);
+  EXPECT_EQ(model.entry->text, "nez \u00e9");
+  key(kKeyBackspace);
+  EXPECT_EQ(model.entry->text, "nez ");
+  constexpr int kUmlaut = 0xe4, kArrow = 0xff51;
+  model.message.clear();
+  key(kArrow);
+  EXPECT_EQ(model.message, "");
+  key(kUmlaut);
+  EXPECT_NE(model.message.find("cannot be typed"), std::string::npos);
+  EXPECT_EQ(model.entry->text, "nez ");
+}
+
+TEST_F(GestureSession, NamesThatAreTakenAreRefused) {
+  mark_three_lines();
+  key('n');
+  key(kKeyBackspace);
+  type("1");
+  key(kKeyEnter);
+  EXPECT_EQ(features()[2].id, "line 3");
+  EXPECT_NE(model.message, "");
+}
+
+TEST_F(GestureSession, WhatIsTypedIsForWhatWasSelected) {
+  mark_three_lines();
+  key('n');
+  type("x");
+  click(Action::kUndo);
+  EXPECT_FALSE(model.entry);
+  ASSERT_EQ(features().size(), 3U);
+  EXPECT_EQ(features()[2].id, "line 3") << "named, and undone";
+  key('n');
+  type("y");
+  click(kSource, {200, 50});
+  EXPECT_FALSE(model.entry);
+  EXPECT_EQ(features()[2].id, "line 3y");
+  EXPECT_EQ(features()[0].id, "line 1");
+}
+
+TEST_F(GestureSession, HelpClosesByAnythingAndTheWelcomeGivesWay) {
+  key('h');
+  EXPECT_TRUE(model.help);
+  key('a');
+  EXPECT_FALSE(model.help);
+  key(kKeyF1);
+  drag(kSource, {20, 20}, {90, 90});
+  EXPECT_FALSE(model.help);
+  EXPECT_TRUE(features().empty());
+  model.welcome = true;
+  drag(kSource, {20, 20}, {90, 90});
+  EXPECT_FALSE(model.welcome);
+  EXPECT_EQ(features().size(), 1U);
+  model.welcome = true;
+  key('m');
+  EXPECT_FALSE(model.welcome);
+  EXPECT_FALSE(model.switches.features);
+}
+
+TEST_F(GestureSession, DeletesDuplicatesAndGoesRound) {
+  mark_three_lines();
+  key(kKeyTab);
+  EXPECT_EQ(selected(), Indices{0});
+  key('d');
+  ASSERT_EQ(features().size(), 4U);
+  EXPECT_EQ(selected(), Indices{3});
+  EXPECT_NE(features()[3].source, features()[0].source);
+  key(kKeyDelete);
+  EXPECT_EQ(features().size(), 3U);
+  EXPECT_NE(model.message.find("deleted"), std::string::npos);
+  key('x');
+  EXPECT_EQ(features().size(), 3U);
+  key('a');
+  key('x');
+  EXPECT_TRUE(features().empty());
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NE(model.message, "nothing to undo");
+    key('z');
+  }
+  EXPECT_TRUE(features().empty());
+  key('z');
+  EXPECT_EQ(model.message, "nothing to undo");
+}
+
+TEST_F(GestureSession, WhatWasHeldMayHaveGone) {
+  mark_three_lines();
+  press(kSource, {300, 250});
+  release();
+  ASSERT_EQ(model.held, (Handle{kSource, 2, 1, -1}));
+  project::Project one = document().project();
+  one.features.resize(1);
+  model.document.replace(one);
+  key('a');
+  move(kSource, {10, 10});
+  key('l');
+  EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{101, 50}, {301, 50}}));
+}
+
+TEST_F(GestureSession, TimeGoesForthAndBack) {
+  project::Project project = document().project();
+  project.output.frames = 51;
+  project.output.fps = {25, 1};
+  model.document.replace(project);  // 2 s
+  model.t = 0.5;
+  gestures.tick(1);
+  EXPECT_EQ(model.t, 0.5) << "nothing plays";
+  key(kKeySpace);
+  gestures.tick(0.5);
+  EXPECT_NEAR(model.t, 0.75, 1e-12);
+  gestures.tick(1);
+  EXPECT_NEAR(model.t, 0.75, 1e-12) << "to the end and back";
+  gestures.tick(0.5);
+  EXPECT_NEAR(model.t, 0.5, 1e-12);
+  key('=');
+  gestures.tick(1);
+  EXPECT_NEAR(model.t, 0.5, 1e-12);
+  key(kKeySpace);
+  key(']');
+  EXPECT_NEAR(model.t, 26.0 / 50, 1e-12);
+  type("[[");
+  EXPECT_NEAR(model.t, 24.0 / 50, 1e-12);
+  key(kKeyEnd);
+  EXPECT_EQ(model.t, 1);
+  key(kKeyHome);
+  EXPECT_EQ(model.t, 0);
+  for (int i = 0; i < 9; ++i) key('-');
+  EXPECT_EQ(model.speed, 0.25);
+}
+
+}  // namespace
+}  // namespace morphkit::edit

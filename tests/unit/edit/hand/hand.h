@@ -1,0 +1,125 @@
+#pragma once
+// A hand at the preview tool, for tests of gestures: without pictures, files or a window.
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "cli/edit/hand/gestures.h"
+#include "cli/edit/view/picking.h"
+#include "morph/project/project.h"
+
+namespace morphkit::edit {
+
+using What = Mouse::What;
+using Button = Mouse::Button;
+using Indices = std::vector<int>;
+
+inline const cv::Size kPicture(400, 300);
+inline const cv::Size kWindow(1600, 900);  ///< where the layout's scale is 1
+inline constexpr SideName kSource = SideName::kSource, kDestination = SideName::kDestination;
+
+inline project::Project empty_project() {
+  project::Project project;
+  project.source.image = "a.png";
+  project.destination.image = "b.png";
+  return project;
+}
+
+/// A hand at the tool. Pictures are shown one to one, so that whole positions of a picture can be pointed at exactly.
+struct Hand {
+  explicit Hand(cv::Size destination = kPicture)
+      : model(empty_project(), kPicture, destination, kWindow),
+        gestures(model, [this](SideName side, cv::Point2d position, double radius, double zoom) {
+          asked = {radius, zoom};
+          return edges ? edges(side, position) : std::nullopt;
+        }) {
+    model.fit_views();
+    model.source_view = model.destination_view = {1, {200, 150}};
+  }
+
+  const Document& document() const { return model.document; }
+  const std::vector<project::Feature>& features() const { return document().project().features; }
+  const Indices& selected() const { return document().selection().features; }
+  Layout layout() const { return layout_of(model); }
+
+  cv::Point at(SideName side, cv::Point2d position) const {
+    return to_canvas(model, layout(), pane_of(side), position);
+  }
+  cv::Point2d under(Pane pane, cv::Point canvas) const { return to_content(model, layout(), pane, canvas); }
+
+  std::optional<Wish> mouse(What what, cv::Point position, Button button = Button::kLeft) {
+    Mouse event = keys;
+    event.what = what;
+    event.button = what == What::kMove ? Button::kNone : button;
+    event.position = position;
+    return gestures.mouse(event);
+  }
+  std::optional<Wish> press(SideName side, cv::Point2d position) { return mouse(What::kPress, at(side, position)); }
+  void move(SideName side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
+  void release() { mouse(What::kRelease, model.mouse); }
+  void drag(cv::Point from, cv::Point to, Button button = Button::kLeft) {
+    mouse(What::kPress, from, button);
+    mouse(What::kMove, (from + to) / 2);
+    mouse(What::kMove, to);
+    mouse(What::kRelease, to, button);
+  }
+  void drag(SideName side, cv::Point2d from, cv::Point2d to) { drag(at(side, from), at(side, to)); }
+  void click(SideName side, cv::Point2d position) { drag(side, position, position); }
+  void wheel(cv::Point position, double notches) {
+    Mouse event;
+    event.what = What::kWheel;
+    event.position = position;
+    event.notches = notches;
+    gestures.mouse(event);
+  }
+  std::optional<Wish> key(int code) { return gestures.key(code); }
+  void type(const std::string& text) {
+    for (const char c : text) key(c);
+  }
+
+  Widget widget(Action action, int value = 0) const {
+    const std::vector<Widget> all = layout().widgets;
+    const auto found =
+        std::ranges::find_if(all, [&](const Widget& w) { return w.action == action && w.value == value; });
+    return found == all.end() ? Widget{} : *found;
+  }
+  std::optional<Wish> click(Action action, int value = 0) {
+    const cv::Rect rect = widget(action, value).rect;
+    const cv::Point middle = (rect.tl() + rect.br()) / 2;
+    const auto wish = mouse(What::kPress, middle);
+    mouse(What::kRelease, middle);
+    return wish;
+  }
+  cv::Point on_slider(Action action, int value, double share) const {
+    const cv::Rect track = slider_track(widget(action, value), layout().scale);
+    return {track.x + static_cast<int>(share * track.width), track.y};
+  }
+
+  int steps_back() {
+    int steps = 0;
+    while (model.document.undo()) ++steps;
+    return steps;
+  }
+
+  Model model;
+  std::function<std::optional<cv::Point2d>(SideName, cv::Point2d)> edges;
+  struct {
+    double radius = 0, zoom = 0;
+  } asked;
+  Mouse keys;  ///< Shift, Ctrl and Alt that are held
+  Gestures gestures;
+};
+
+class GestureSession : public testing::Test, public Hand {
+ protected:
+  void mark_three_lines() {
+    for (const double y : {50.0, 150.0, 250.0}) drag(kSource, {100, y}, {300, y});
+  }
+};
+
+}  // namespace morphkit::edit

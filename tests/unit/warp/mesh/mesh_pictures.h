@@ -1,0 +1,118 @@
+#pragma once
+// Meshes that bend pictures known at every point. For the test of the mesh warp's quality and its benchmark.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "base/parallel.h"
+#include "tests/support/known_pictures.h"
+#include "warp/mesh/mesh_warp.h"
+
+namespace morphkit::warp {
+
+/// The plate and its radial map, made for a mesh. A mesh's border lies on its outline, which the radial map of the
+/// middle does not do: so both images go on around the measured part, the plate with them, and out there the mesh's
+/// vertices are drawn from the radial map to the outline.
+class ZonePlate {
+ public:
+  static constexpr int kVertices = 129;
+  static constexpr int kSourceSize = 2688;
+  static constexpr int kMeasuredSize = 1024;
+  static constexpr int kMargin = 64;
+  static constexpr int kOutputSize = kMeasuredSize + 2 * kMargin;
+
+  /// The part of the output that is measured.
+  static cv::Rect measured() {
+    constexpr int kBorder = kMargin + 8;
+    return {kBorder, kBorder, kOutputSize - 2 * kBorder, kOutputSize - 2 * kBorder};
+  }
+
+  static RadialPlate plate() { return {kSourceSize, kOutputSize}; }
+
+  static double value(cv::Point2d source) { return plate().value(source); }
+
+  static Image source() {
+    return grey_image({kSourceSize, kSourceSize}, [](double x, double y) { return value({x, y}); });
+  }
+
+  static cv::Point2d radial(cv::Point2d output) { return plate().radial(output); }
+
+  static Mesh to() { return uniform_mesh(kVertices, kVertices, cv::Rect2d(0, 0, kOutputSize, kOutputSize)); }
+
+  static Mesh from() {
+    Mesh mesh = to();
+    for (cv::Point2d& vertex : mesh.vertices) {
+      const cv::Point2d inside = radial(vertex);
+      vertex = {drawn_out(vertex.x, inside.x), drawn_out(vertex.y, inside.y)};
+    }
+    snap_to_outline(mesh, cv::Rect2d(0, 0, kSourceSize, kSourceSize));
+    return mesh;
+  }
+
+ private:
+  static constexpr double kUntouched = 28;  // output px around the measured part that are radial, too
+
+  /// From the radial map's coordinate at the edge of the untouched part to the outline at the margin's end.
+  static double drawn_out(double output, double inside) {
+    const double from_middle = std::abs(output - kOutputSize / 2.0) - kMeasuredSize / 2.0;
+    const double way = std::clamp((from_middle - kUntouched) / (kMargin - kUntouched), 0.0, 1.0);
+    return std::lerp(inside, output < kOutputSize / 2.0 ? 0.0 : kSourceSize, way);
+  }
+};
+
+/// An even mesh whose inner vertices are moved: by a slow swirl of up to `swirl` of the image, and each at random by up
+/// to `jitter` of its distance from its neighbours.
+inline Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double jitter, unsigned seed) {
+  const cv::Rect2d outline(0, 0, size.width, size.height);
+  Mesh mesh = uniform_mesh(columns, rows, outline);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (cv::Point2d& vertex : mesh.vertices) {
+    const double x = vertex.x / size.width;
+    const double y = vertex.y / size.height;
+    const double way = swirl * std::sin(std::numbers::pi * x) * std::sin(std::numbers::pi * y);
+    vertex.x += size.width * way * std::cos(5 * y + seed) + jitter * uniform(random) * size.width / (columns - 1);
+    vertex.y += size.height * way * std::sin(5 * x + seed) + jitter * uniform(random) * size.height / (rows - 1);
+  }
+  snap_to_outline(mesh, outline);
+  return mesh;
+}
+
+/// What `warp`'s exact map says about every `stride`-th output pixel of `area`, at `offset` in [0, 1] from its corner.
+/// A map of few pixels: that of the output mesh made smaller by `stride`.
+inline Map sparse_map(const MeshWarp& warp, cv::Rect area, int stride, cv::Point2d offset) {
+  Mesh to = warp.to();
+  const cv::Point2d origin = cv::Point2d(area.tl()) + offset;
+  for (cv::Point2d& vertex : to.vertices) vertex = (vertex - origin) / stride + cv::Point2d(0.5, 0.5);
+  const cv::Size size((area.width + stride - 1) / stride, (area.height + stride - 1) / stride);
+  return MeshWarp(warp.from(), to, {MeshSpline::kMonotone, warp.order()}).map(size);
+}
+
+/// The mean of 16 x 16 samples of the picture over every `stride`-th pixel and row of `area`, through the exact map of
+/// `warp`, whose spline is monotone.
+template <typename Value>
+std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area, int stride, const Value& value) {
+  constexpr int kSamples = 16;
+  std::vector<ReferencePixel> pixels;
+  for (int y = area.y; y < area.br().y; y += stride) {
+    for (int x = area.x; x < area.br().x; x += stride) pixels.push_back({{x, y}, 0});
+  }
+  for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+    const cv::Point2d offset = cv::Point2d(cv::Point(sample % kSamples, sample / kSamples)) + cv::Point2d(0.5, 0.5);
+    const Map map = sparse_map(warp, area, stride, offset / kSamples);
+    for_rows(map.rows, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y) {
+        for (int x = 0; x < map.cols; ++x) {
+          const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(map.cols) + static_cast<std::size_t>(x);
+          pixels[i].grey += value(cv::Point2d(cv::Vec2d(map(y, x)))) / (kSamples * kSamples);
+        }
+      }
+    });
+  }
+  return pixels;
+}
+
+}  // namespace morphkit::warp

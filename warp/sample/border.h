@@ -1,0 +1,21 @@
+#pragma once
+// Which pixel stands where there is none. Internal to warp.
+
+#include <cstdint>
+
+#include "warp/sample/sample.h"
+
+namespace morphkit::warp::detail {
+
+/// The pixel that stands at `index` of an axis of `size` pixels; -1 if none does.
+inline int standing_at(std::int64_t index, int size, Border border) noexcept {
+  if (index >= 0 && index < size) return static_cast<int>(index);
+  if (border == Border::kTransparent) return -1;
+  if (border == Border::kClamp) return index < 0 ? 0 : size - 1;
+  // Reflected at the edge, which lies half a pixel outside the last centre: the edge pixel appears twice.
+  const std::int64_t period = 2 * static_cast<std::int64_t>(size);
+  const std::int64_t phase = ((index % period) + period) % period;
+  return static_cast<int>(phase < size ? phase : period - 1 - phase);
+}
+
+}  // namespace morphkit::warp::detail
