@@ -41,7 +41,7 @@ int run_export(const ExportOptions& options, Output& output) {
   const project::Project project = project::load(options.project);
   const std::vector<std::string> remarks =
       exchange::export_to(project, {options.files, picture_size(project, project.source),
-                                   picture_size(project, project.destination), options.overwrite});
+                                    picture_size(project, project.destination), options.overwrite});
   for (const std::string& remark : remarks) output.note(remark);
   std::vector<std::string> names;
   for (const std::filesystem::path& file : options.files) names.push_back(file.string());
