@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "warp/sample/border.h"
+#include "warp/sample/filters.h"
 #include "warp/sample/reconstruct.h"
 
 namespace morphkit::warp::detail {
@@ -21,49 +21,35 @@ double catmull_rom_integral(double d) {
   return std::copysign(value, d);
 }
 
-/// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics", SIGGRAPH 1988, eq. 8 with B = C = 1/3.
-double mitchell(double x) {
-  const double a = std::abs(x);
-  if (a < 1) return (7 * a * a * a - 12 * a * a + 16.0 / 3) / 6;
-  if (a < 2) return (-7.0 / 3 * a * a * a + 12 * a * a - 20 * a + 32.0 / 3) / 6;
-  return 0;
-}
-
-double sinc(double x) {
-  return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
-}
-
-double lanczos(double x) {
-  return std::abs(x) < 3 ? sinc(x) * sinc(x / 3) : 0;
-}
-
 /// One coordinate of a footprint: u = row . (source - position).
+template <typename Filter>
 class Axis {
  public:
-  Axis(Filter filter, const cv::Vec2d& row) : filter_(filter), row_(row) {
-    if (filter != Filter::kArea) {
-      reach_ = filter == Filter::kMitchell ? 2 : 3;
-      return;
+  explicit Axis(const cv::Vec2d& row) : row_(row) {
+    if constexpr (Filter::kIsSlab) {
+      // The slab |u| < 1/2, seen through the reconstruction's kernel: in source pixels, along the slab's normal.
+      const double pixels = 1 / cv::norm(row);
+      half_ = std::sqrt(pixels * pixels - static_cast<double>(kOwnSquare)) / 2;
+      row_ *= pixels;
+      reach_ = half_ + 2;
+    } else {
+      reach_ = static_cast<double>(Filter::kReach);
     }
-    // The slab |u| < 1/2, seen through the reconstruction's kernel: in source pixels, along the slab's normal.
-    const double pixels = 1 / cv::norm(row);
-    half_ = std::sqrt(pixels * pixels - static_cast<double>(kOwnSquare)) / 2;
-    row_ *= pixels;
-    reach_ = half_ + 2;
   }
 
   double weight(const cv::Vec2d& offset) const {
     const double u = row_.dot(offset);
-    if (filter_ == Filter::kMitchell) return mitchell(u);
-    if (filter_ == Filter::kLanczos) return lanczos(u);
-    return catmull_rom_integral(u + half_) - catmull_rom_integral(u - half_);
+    if constexpr (Filter::kIsSlab) {
+      return catmull_rom_integral(u + half_) - catmull_rom_integral(u - half_);
+    } else {
+      return Filter::weight(u);
+    }
   }
 
   cv::Vec2d row() const { return row_; }
   double reach() const { return reach_; }
 
  private:
-  Filter filter_;
   cv::Vec2d row_;
   double half_ = 0, reach_ = 0;
 };
@@ -100,7 +86,9 @@ cv::Matx22d jacobian(const Map& positions, cv::Point at) {
   return {x[0], y[0], x[1], y[1]};
 }
 
-cv::Vec4d footprint_mean(const Image& source, cv::Vec2d position, const Axis& u, const Axis& v, Border border) {
+template <typename Filter>
+cv::Vec4d footprint_mean(const Image& source, cv::Vec2d position, const Axis<Filter>& u, const Axis<Filter>& v,
+                         Border border) {
   const double inverse = 1 / std::abs(u.row()[0] * v.row()[1] - u.row()[1] * v.row()[0]);
   const double reach_x = (std::abs(v.row()[1]) * u.reach() + std::abs(u.row()[1]) * v.reach()) * inverse;
   const double reach_y = (std::abs(v.row()[0]) * u.reach() + std::abs(u.row()[0]) * v.reach()) * inverse;
@@ -163,30 +151,35 @@ void finish(cv::Vec4d mean, double blend, Pixel& pixel) {
   }
 }
 
-}  // namespace
-
-void reference_antialias_band(const Image& source, const Map& positions, Filter filter, Border border, Image& out) {
+template <typename Filter>
+void antialias_reference(const Image& source, const Map& positions, Border border, Image& out) {
   const auto width = static_cast<std::size_t>(positions.cols);
-  const double most = static_cast<double>(most_stretch(filter));
+  constexpr double kMost = static_cast<double>(Filter::kMostStretch);
   for (int y = 0; y < positions.rows; ++y) {
     reconstruct_row(source, {positions[y], width}, Kernel::kBicubic, border, {out[y], width});
     for (int x = 0; x < positions.cols; ++x) {
       if (!is_finite(positions(y, x))) continue;
       const cv::SVD svd(jacobian(positions, {x, y}));
       const cv::Vec2d stretch(svd.w.at<double>(0), svd.w.at<double>(1));
-      const bool has_points = filter == Filter::kArea;
-      if (has_points && stretch[0] > static_cast<double>(kRampBegin))
+      if (Filter::kHasPoints && stretch[0] > static_cast<double>(kRampBegin))
         out(y, x) = mean_of_points(source, positions(y, x), svd, border);
-      const double blend = has_points ? ramp(stretch[0], kSumBegin, kSumEnd) : ramp(stretch[0], kRampBegin, kRampEnd);
+      const double blend =
+          Filter::kHasPoints ? ramp(stretch[0], kSumBegin, kSumEnd) : ramp(stretch[0], kRampBegin, kRampEnd);
       if (blend == 0) continue;
       const cv::Matx22d shrink =
-          cv::Matx22d::diag({1 / std::clamp(stretch[0], 1.0, most), 1 / std::clamp(stretch[1], 1.0, most)});
+          cv::Matx22d::diag({1 / std::clamp(stretch[0], 1.0, kMost), 1 / std::clamp(stretch[1], 1.0, kMost)});
       const cv::Matx22d rows = cv::Matx22d(svd.vt).t() * shrink * cv::Matx22d(svd.u).t();
-      const Axis u(filter, {rows(0, 0), rows(0, 1)});
-      const Axis v(filter, {rows(1, 0), rows(1, 1)});
+      const Axis<Filter> u({rows(0, 0), rows(0, 1)});
+      const Axis<Filter> v({rows(1, 0), rows(1, 1)});
       finish(footprint_mean(source, held(positions(y, x)), u, v, border), blend, out(y, x));
     }
   }
+}
+
+}  // namespace
+
+void reference_antialias_band(const Image& source, const Map& positions, Filter filter, Border border, Image& out) {
+  AntialiasingFilters::visit(filter, [&](auto f) { antialias_reference<decltype(f)>(source, positions, border, out); });
 }
 
 }  // namespace morphkit::warp::detail

@@ -8,7 +8,7 @@
 //   pixel = sum k(u) k(v) source / sum k(u) k(v).
 //
 // The singular values of J tell how many source pixels go into an output pixel along the two axes of the footprint.
-// They are held in [1, most_stretch]: a footprint never gets smaller than a source pixel, and its cost is bounded.
+// They are held in [1, kMostStretch]: a footprint never gets smaller than a source pixel, and its cost is bounded.
 // Below kRampBegin a pixel is a point, read by bicubic interpolation; from there to kRampEnd it changes smoothly into
 // its footprint.
 //
@@ -45,22 +45,13 @@ inline constexpr float kFourPoints = 0.5F;
 /// pixels that are points. Half serves both.
 inline constexpr float kOwnSquare = 0.5F;
 
-/// Source pixels per output pixel beyond which a footprint grows no more.
-constexpr float most_stretch(Filter filter) {
-  return filter == Filter::kArea ? 16.0F : 8.0F;
-}
-
 /// Positions are held within this, px, so that squares of squares of their differences stay in the range of a float.
 inline constexpr float kFarthestPosition = 0x1p24F;
-
-constexpr bool is_antialiasing(Filter filter) {
-  return filter == Filter::kArea || filter == Filter::kMitchell || filter == Filter::kLanczos;
-}
 
 /// How far antialias_band may be from the reference, for pixels of magnitude 1.
 inline constexpr double kAntialiasTolerance = 2e-4;
 
-/// A band of rows, as warp::sample_band, for filters that are antialiasing. The positions of this band alone tell the
+/// A band of rows, as warp::sample_band, for AntialiasingFilters. The positions of this band alone tell the
 /// footprints; a position that is not finite counts for nothing.
 /// @pre  sizes are equal, the source is not empty.
 /// Class T: within kAntialiasTolerance of the reference on every instruction set.

@@ -200,18 +200,18 @@ HWY_INLINE FloatVec ramp(FloatVec value, float begin, float end) {
 
 /// The sums of a block. What has none is not filled in but for `blend`.
 /// @param blend  of the vector's worth of pixels from the block's i-th on: 0 no sum, 1 nothing else.
-template <Filter kFilter>
+template <typename Filter>
 HWY_INLINE void make_footprints(const Jacobian& j, const Decomposition& shape, FloatVec blend, size_t i,
                                 Footprints& footprints) {
   const Floats d;
   hn::Store(blend, d, footprints.blend + i);
   if (hn::AllFalse(d, hn::Gt(blend, hn::Zero(d)))) return;
-  invert(j, shape, most_stretch(kFilter), i, footprints);
-  if constexpr (kFilter == Filter::kArea) {
+  invert(j, shape, Filter::kMostStretch, i, footprints);
+  if constexpr (Filter::kIsSlab) {
     make_slab(footprints.ux + i, footprints.uy + i, footprints.u_half + i, footprints.u_reach + i);
     make_slab(footprints.vx + i, footprints.vy + i, footprints.v_half + i, footprints.v_reach + i);
   } else {
-    const FloatVec reach = hn::Set(d, kFilter == Filter::kMitchell ? 2.0F : 3.0F);
+    const FloatVec reach = hn::Set(d, Filter::kReach);
     hn::Store(reach, d, footprints.u_reach + i);
     hn::Store(reach, d, footprints.v_reach + i);
   }

@@ -15,6 +15,7 @@
 
 #include "warp/sample/antialias.h"
 #include "warp/sample/border.h"
+#include "warp/sample/filters.h"
 #include "warp/sample/reconstruct.h"
 
 // Machines without a fixed vector size have NEON too; see area_resample_simd.cpp.
@@ -74,7 +75,7 @@ class Band {
 };
 
 /// The rows of a band, a segment after the other.
-template <Filter kFilter>
+template <typename Filter>
 class Rows {
  public:
   Rows(const Image& source, const Map& positions, Border border)
@@ -115,7 +116,7 @@ class Rows {
 
   /// Of a vector's worth of pixels. @return  whether any has a sum.
   HWY_NOINLINE bool add_areas(const Neighbours& around, size_t i, size_t at) {
-    constexpr bool kHasPoints = kFilter == Filter::kArea;
+    constexpr bool kHasPoints = Filter::kHasPoints;
     const Floats d;
     const Points centre(around.centre + 2 * i);
     const Jacobian j = jacobian(around, i, centre);
@@ -124,7 +125,7 @@ class Rows {
     const FloatVec smooth =
         kHasPoints ? ramp(shape.larger, kSumBegin, kSumEnd) : ramp(shape.larger, kRampBegin, kRampEnd);
     const FloatVec blend = hn::IfThenElseZero(here, smooth);
-    make_footprints<kFilter>(j, shape, blend, i, footprints_);
+    make_footprints<Filter>(j, shape, blend, i, footprints_);
     const auto grows = hn::And(here, hn::Gt(shape.larger, hn::Set(d, kRampBegin)));
     const auto areas = hn::And(grows, hn::Lt(blend, hn::Set(d, 1.0F)));
     if (!kHasPoints || hn::AllFalse(d, areas)) {
@@ -146,30 +147,24 @@ class Rows {
   const Map& positions_;
   Border border_;
   Band band_;
-  Summer<kFilter> summer_;
+  Summer<Filter> summer_;
   Footprints footprints_;
   SegmentPoints points_;
   std::array<Sum, kSegment> sum_;
   size_t sums_ = 0;
 };
 
-template <Filter kFilter>
+template <typename Filter>
 void antialias_rows(const Image& source, const Map& positions, Border border, Image& out) {
   const auto width = static_cast<size_t>(positions.cols);
-  Rows<kFilter> rows(source, positions, border);
+  Rows<Filter> rows(source, positions, border);
   for (int y = 0; y < positions.rows; ++y) {
     for (size_t x = 0; x < width; x += kSegment) rows.run(y, x, {out[y] + x, std::min(kSegment, width - x)});
   }
 }
 
-void antialias_area(const Image& source, const Map& positions, Border border, Image& out) {
-  antialias_rows<Filter::kArea>(source, positions, border, out);
-}
-void antialias_mitchell(const Image& source, const Map& positions, Border border, Image& out) {
-  antialias_rows<Filter::kMitchell>(source, positions, border, out);
-}
-void antialias_lanczos(const Image& source, const Map& positions, Border border, Image& out) {
-  antialias_rows<Filter::kLanczos>(source, positions, border, out);
+void antialias_rows_of(Filter filter, const Image& source, const Map& positions, Border border, Image& out) {
+  AntialiasingFilters::visit(filter, [&](auto f) { antialias_rows<decltype(f)>(source, positions, border, out); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -178,21 +173,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace morphkit::warp::detail {
-HWY_EXPORT(antialias_area);
-HWY_EXPORT(antialias_mitchell);
-HWY_EXPORT(antialias_lanczos);
+HWY_EXPORT(antialias_rows_of);
 
 void antialias_band(const Image& source, const Map& positions, Filter filter, Border border, Image& out) noexcept {
   assert(!source.empty());
   assert(positions.size() == out.size());
-  assert(is_antialiasing(filter));
-  if (filter == Filter::kMitchell) {
-    HWY_DYNAMIC_DISPATCH(antialias_mitchell)(source, positions, border, out);
-  } else if (filter == Filter::kLanczos) {
-    HWY_DYNAMIC_DISPATCH(antialias_lanczos)(source, positions, border, out);
-  } else {
-    HWY_DYNAMIC_DISPATCH(antialias_area)(source, positions, border, out);
-  }
+  assert(AntialiasingFilters::contains(filter));
+  HWY_DYNAMIC_DISPATCH(antialias_rows_of)(filter, source, positions, border, out);
 }
 
 }  // namespace morphkit::warp::detail

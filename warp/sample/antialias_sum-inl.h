@@ -18,6 +18,7 @@
 #include "warp/sample/antialias.h"
 #include "warp/sample/antialias_footprint-inl.h"
 #include "warp/sample/border.h"
+#include "warp/sample/filters-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace morphkit::warp::detail {
@@ -33,56 +34,6 @@ HWY_INLINE int floor_of(float value) {
 }
 HWY_INLINE int ceil_of(float value) {
   return -floor_of(-value);
-}
-
-/// The integral of the Catmull-Rom kernel from 0 to d.
-HWY_INLINE FloatVec catmull_rom_integral(FloatVec d) {
-  const Floats tag;
-  const FloatVec a = hn::Min(hn::Abs(d), hn::Set(tag, 2.0F));
-  const FloatVec rest = hn::Sub(hn::Set(tag, 2.0F), a);
-  const FloatVec inside =
-      hn::MulAdd(hn::Mul(a, hn::Mul(a, a)), hn::MulAdd(a, hn::Set(tag, 0.375F), hn::Set(tag, -5.0F / 6)), a);
-  const FloatVec outside =
-      hn::MulAdd(hn::Mul(rest, hn::Mul(rest, rest)), hn::MulAdd(rest, hn::Set(tag, -0.125F), hn::Set(tag, 1.0F / 6)),
-                 hn::Set(tag, 0.5F));
-  return hn::CopySign(hn::IfThenElse(hn::Lt(a, hn::Set(tag, 1.0F)), inside, outside), d);
-}
-
-HWY_INLINE FloatVec mitchell(FloatVec x) {
-  const Floats tag;
-  const FloatVec a = hn::Min(hn::Abs(x), hn::Set(tag, 2.0F));
-  const FloatVec rest = hn::Sub(hn::Set(tag, 2.0F), a);
-  const FloatVec inside =
-      hn::MulAdd(hn::Mul(a, a), hn::MulAdd(a, hn::Set(tag, 7.0F / 6), hn::Set(tag, -2.0F)), hn::Set(tag, 8.0F / 9));
-  const FloatVec outside =
-      hn::Mul(hn::Mul(rest, rest), hn::MulAdd(rest, hn::Set(tag, 7.0F / 18), hn::Set(tag, -1.0F / 3)));
-  return hn::IfThenElse(hn::Lt(a, hn::Set(tag, 1.0F)), inside, outside);
-}
-
-/// sinc(x) sinc(x / 3): its zeros, times the polynomial in z = x^2 that agrees with what is left at the seven Chebyshev
-/// nodes of [0, 9]; off by less than 9e-6 before rounding.
-HWY_INLINE FloatVec lanczos(FloatVec x) {
-  const Floats tag;
-  const FloatVec one = hn::Set(tag, 1.0F);
-  const FloatVec z = hn::Min(hn::Mul(x, x), hn::Set(tag, 9.0F));
-  FloatVec rest = hn::Set(tag, 3.5277119536658574e-07F);
-  rest = hn::MulAdd(rest, z, hn::Set(tag, -1.7292044503847137e-05F));
-  rest = hn::MulAdd(rest, z, hn::Set(tag, 0.0004050587594974786F));
-  rest = hn::MulAdd(rest, z, hn::Set(tag, -0.005981256254017353F));
-  rest = hn::MulAdd(rest, z, hn::Set(tag, 0.05876343324780464F));
-  rest = hn::MulAdd(rest, z, hn::Set(tag, -0.35538625717163086F));
-  rest = hn::MulAdd(rest, z, hn::Set(tag, 0.9999911785125732F));
-  const FloatVec third = hn::NegMulAdd(z, hn::Set(tag, 1.0F / 9), one);
-  const FloatVec zeros =
-      hn::Mul(hn::Mul(hn::Sub(one, z), hn::NegMulAdd(z, hn::Set(tag, 0.25F), one)), hn::Mul(third, third));
-  return hn::Mul(zeros, rest);
-}
-
-template <Filter kFilter>
-HWY_INLINE FloatVec axis_weight(FloatVec u, FloatVec half) {
-  if constexpr (kFilter == Filter::kMitchell) return mitchell(u);
-  if constexpr (kFilter == Filter::kLanczos) return lanczos(u);
-  return hn::Sub(catmull_rom_integral(hn::Add(u, half)), catmull_rom_integral(hn::Sub(u, half)));
 }
 
 /// Sums weights, and weighted differences of pixels from one pixel.
@@ -185,14 +136,14 @@ struct Place {
 };
 
 /// The weights along a row of the source.
-template <Filter kFilter>
+template <typename Filter>
 class RowWeights {
  public:
   HWY_INLINE RowWeights(const Footprints& f, size_t i)
       : f_(f), i_(i), u_(f.ux[i], f.u_reach[i]), v_(f.vx[i], f.v_reach[i]) {
     const Floats d;
-    u_half_ = hn::Set(d, kFilter == Filter::kArea ? f.u_half[i] : 0);
-    v_half_ = hn::Set(d, kFilter == Filter::kArea ? f.v_half[i] : 0);
+    u_half_ = hn::Set(d, Filter::kIsSlab ? f.u_half[i] : 0);
+    v_half_ = hn::Set(d, Filter::kIsSlab ? f.v_half[i] : 0);
     u_steps_ = hn::Mul(hn::Set(d, f.ux[i]), hn::Iota(d, 0));
     v_steps_ = hn::Mul(hn::Set(d, f.vx[i]), hn::Iota(d, 0));
   }
@@ -213,7 +164,7 @@ class RowWeights {
     const Floats d;
     const FloatVec u = hn::Add(hn::Set(d, u_row_ + f_.ux[i_] * dx), u_steps_);
     const FloatVec v = hn::Add(hn::Set(d, v_row_ + f_.vx[i_] * dx), v_steps_);
-    return hn::Mul(axis_weight<kFilter>(u, u_half_), axis_weight<kFilter>(v, v_half_));
+    return hn::Mul(axis_weight(Filter(), u, u_half_), axis_weight(Filter(), v, v_half_));
   }
 
  private:
@@ -235,7 +186,7 @@ class RowWeights {
   float u_row_ = 0, v_row_ = 0, begin_ = 0, end_ = 0;
 };
 
-template <Filter kFilter>
+template <typename Filter>
 class Summer {
  public:
   Summer(const Image& source, Border border) : source_(source), border_(border) {}
@@ -262,15 +213,15 @@ class Summer {
     const int top = y.base + ceil_of(y.fraction - 0.5F - f.y_reach[i]);
     const int bottom = y.base + floor_of(y.fraction - 0.5F + f.y_reach[i]);
     if (left >= 0 && right < source_.cols && top >= 0 && bottom < source_.rows) {
-      return sum<true>(x, y, top, bottom, RowWeights<kFilter>(f, i));
+      return sum<true>(x, y, top, bottom, RowWeights<Filter>(f, i));
     }
     const bool outside = right < 0 || left >= source_.cols || bottom < 0 || top >= source_.rows;
     if (outside && border_ == Border::kTransparent) return Pixel::all(0);
-    return sum<false>(x, y, top, bottom, RowWeights<kFilter>(f, i));
+    return sum<false>(x, y, top, bottom, RowWeights<Filter>(f, i));
   }
 
   template <bool kInside>
-  HWY_INLINE Pixel sum(const Place& x, const Place& y, int top, int bottom, RowWeights<kFilter> weights) const {
+  HWY_INLINE Pixel sum(const Place& x, const Place& y, int top, int bottom, RowWeights<Filter> weights) const {
     const Floats d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     PixelSum sum(pixel_at(x.base, y.base));

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "warp/sample/antialias.h"
+#include "warp/sample/filters.h"
 #include "warp/sample/reconstruct.h"
 
 namespace morphkit::warp {
@@ -20,7 +21,7 @@ detail::Kernel kernel_of(Filter filter) {
 void sample_band(const Image& source, const Map& positions, const SampleOptions& options, Image& out) noexcept {
   assert(!source.empty());
   assert(positions.size() == out.size());
-  if (detail::is_antialiasing(options.filter)) {
+  if (detail::AntialiasingFilters::contains(options.filter)) {
     return detail::antialias_band(source, positions, options.filter, options.border, out);
   }
   const auto width = static_cast<std::size_t>(positions.cols);
