@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <opencv2/core/types.hpp>
 
@@ -13,6 +14,14 @@ namespace morphkit::cli {
 /// What --filter and --field may say.
 const std::map<std::string, warp::Filter>& filter_names();
 const std::map<std::string, warp::FieldAccuracy>& field_names();
+
+/// The names of such a table, for the choices of an option.
+template <typename Value>
+std::vector<std::string> words_of(const std::map<std::string, Value>& names) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : names) words.push_back(word);
+  return words;
+}
 
 /// "1280x720". @param option  that says it, for the message.
 /// @throws Error kUsage if it is no size, or a larger one than a project may ask for.

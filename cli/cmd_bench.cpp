@@ -15,13 +15,13 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/vector_target.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
@@ -264,26 +264,21 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
 
 }  // namespace
 
-void add_bench(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"bench", "Measure how fast this machine is, stage by stage",
-                                   "  morphkit bench\n"
-                                   "  morphkit bench pair.json -j 1\n"
-                                   "  morphkit bench --size 3840x2160 --lines 500 --json",
-                                   kInspectGroup});
+void add_bench(CommandLine& line, Session& session) {
   auto options = std::make_shared<BenchOptions>();
-  command->add_option("PROJECT", options->project, "A project file, instead of random lines over painted pictures")
-      ->type_name("");
-  command->add_option("--size", options->size, "Size of a frame in pixels; 1920x1080")->type_name("WxH");
-  command->add_option("--lines", options->lines, "Number of random lines; 50")
-      ->type_name("N")
-      ->check(CLI::Range(0, 100'000).description(""));
-  command->add_option("--filter", options->filter, "nearest, bilinear, bicubic, area, mitchell, lanczos")
-      ->type_name("FILTER")
-      ->check(CLI::IsMember(filter_names()));
-  command->add_flag("--json", options->json, "Print the result as JSON");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_bench(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"bench", "Measure how fast this machine is, stage by stage",
+                                 "  morphkit bench\n"
+                                 "  morphkit bench pair.json -j 1\n"
+                                 "  morphkit bench --size 3840x2160 --lines 500 --json",
+                                 kInspectGroup},
+                                [options](Output& output) { return run_bench(*options, output); });
+  command.path("PROJECT", options->project, "A project file, instead of random lines over painted pictures", "");
+  command.text("--size", options->size, "Size of a frame in pixels; 1920x1080", "WxH");
+  command.integer("--lines", options->lines, "Number of random lines; 50", "N", {0, 100'000});
+  command.choice("--filter", options->filter, "nearest, bilinear, bicubic, area, mitchell, lanczos", "FILTER",
+                 words_of(filter_names()));
+  command.flag("--json", options->json, "Print the result as JSON");
 }
 
 int run_bench(const BenchOptions& options, Output& output) {

@@ -5,12 +5,9 @@
 #include <optional>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -22,7 +19,7 @@ struct BenchOptions {
   bool json = false;
 };
 
-void add_bench(CLI::App& app, Session& session);
+void add_bench(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_bench(const BenchOptions& options, Output& output);

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/render/check.h"
@@ -51,22 +51,18 @@ void print_text(const std::vector<render::Finding>& findings, const std::vector<
 
 }  // namespace
 
-void add_check(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(
-      app, session,
+void add_check(CommandLine& line, Session& session) {
+  auto options = std::make_shared<CheckOptions>();
+  Options command = add_command(
+      line, session,
       {"check", "Look for crossing lines, near-twins, marks outside their picture and folds; exit code 5 if any",
        "  morphkit check pair.json\n"
        "  morphkit check pair.json --json",
-       kInspectGroup});
-  auto options = std::make_shared<CheckOptions>();
-  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
-      ->type_name("| A B")
-      ->required()
-      ->expected(1, 2);
-  command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
-  command->add_flag("--json", options->json, "Print the findings as JSON");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_check(*options, output); }; });
+       kInspectGroup},
+      [options](Output& output) { return run_check(*options, output); });
+  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
+  command.path("--features", options->features, "Features for two pictures", "F");
+  command.flag("--json", options->json, "Print the findings as JSON");
 }
 
 int run_check(const CheckOptions& options, Output& output) {

@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -19,7 +16,7 @@ struct CheckOptions {
   bool json = false;
 };
 
-void add_check(CLI::App& app, Session& session);
+void add_check(CommandLine& line, Session& session);
 
 /// @return 0 if there is nothing to warn of, else kExitDifference.
 int run_check(const CheckOptions& options, Output& output);

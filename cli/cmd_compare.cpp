@@ -3,9 +3,9 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/media/image_file.h"
@@ -23,15 +23,6 @@ struct FileDifference : warp::Difference {
 std::string pixel_text(const warp::Pixel& pixel) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", pixel[0], pixel[1], pixel[2], pixel[3]);
 }
-
-/// CLI::NonNegativeNumber names the largest double, all 309 digits of it.
-const CLI::Validator kNonNegative(
-    [](std::string& text) {
-      double value = 0;
-      const bool valid = CLI::detail::lexical_cast(text, value) && value >= 0;
-      return valid ? std::string() : fmt::format("'{}' is not a number of at least 0", text);
-    },
-    "");
 
 Report pixel_report(const warp::Pixel& pixel) {
   Report report = Report::array();
@@ -99,25 +90,22 @@ void print_text(const CompareOptions& options, const FileDifference& found, cons
 
 }  // namespace
 
-void add_compare(CLI::App& app, Session& session) {
-  CLI::App* command =
-      add_command(app, session,
+void add_compare(CommandLine& line, Session& session) {
+  auto options = std::make_shared<CompareOptions>();
+  Options command =
+      add_command(line, session,
                   {"compare", "Compare two pictures: PSNR, largest difference, worst pixel; exit code 5 if they differ",
                    "  morphkit compare expected.png actual.png\n"
                    "  morphkit compare a.exr b.exr --tolerance 0.004 --difference diff.png --gain 20",
-                   kInspectGroup});
-  auto options = std::make_shared<CompareOptions>();
-  command->add_option("A", options->a, "A picture")->type_name("")->required();
-  command->add_option("B", options->b, "Another of the same size")->type_name("")->required();
-  command->add_option("--tolerance", options->tolerance, "Largest difference that passes; 1 is black to white")
-      ->type_name("T")
-      ->check(kNonNegative);
-  command->add_option("--difference", options->difference, "Write a picture of the difference")->type_name("FILE");
-  command->add_option("--gain", options->gain, "Amplify that picture (10)")->type_name("G")->check(kNonNegative);
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace the picture of the difference if it exists");
-  command->add_flag("--json", options->json, "Print the result as JSON");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_compare(*options, output); }; });
+                   kInspectGroup},
+                  [options](Output& output) { return run_compare(*options, output); });
+  command.path("A", options->a, "A picture", "").required();
+  command.path("B", options->b, "Another of the same size", "").required();
+  command.amount("--tolerance", options->tolerance, "Largest difference that passes; 1 is black to white", "T");
+  command.path("--difference", options->difference, "Write a picture of the difference", "FILE");
+  command.amount("--gain", options->gain, "Amplify that picture (10)", "G");
+  command.flag("-y,--overwrite", options->overwrite, "Replace the picture of the difference if it exists");
+  command.flag("--json", options->json, "Print the result as JSON");
 }
 
 int run_compare(const CompareOptions& options, Output& output) {

@@ -3,12 +3,9 @@
 
 #include <filesystem>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -21,7 +18,7 @@ struct CompareOptions {
   bool json = false;
 };
 
-void add_compare(CLI::App& app, Session& session);
+void add_compare(CommandLine& line, Session& session);
 
 /// @return 0 if the pictures agree within the tolerance, else kExitDifference (also for unequal sizes).
 /// @throws Error as media::read_picture and write_image.

@@ -3,31 +3,26 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/completion_script.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
 
-void add_completion(CLI::App& app, Session& session) {
-  CLI::App* command =
-      add_command(app, session,
+void add_completion(CommandLine& line, Session& session) {
+  auto options = std::make_shared<CompletionOptions>();
+  Options command =
+      add_command(line, session,
                   {"completion", "Print a script that completes commands and options in your shell",
                    "  source <(morphkit completion bash)        # this shell; put it into ~/.bashrc for all\n"
                    "  source <(morphkit completion zsh)\n"
                    "  morphkit completion fish > ~/.config/fish/completions/morphkit.fish",
-                   kHelpGroup});
-  auto options = std::make_shared<CompletionOptions>();
-  command->add_option("SHELL", options->shell, "Which shell")
-      ->type_name("")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  command->callback([&app, &session, options] {
-    session.action = [&app, options](Output& output) { return run_completion(*options, shape_of(app), output); };
-  });
+                   kHelpGroup},
+                  [&line, options](Output& output) { return run_completion(*options, line.shape(), output); });
+  command.choice("SHELL", options->shell, "Which shell", "", {"bash", "zsh", "fish"}).required();
 }
 
 int run_completion(const CompletionOptions& options, const CommandShape& program, Output& output) {

@@ -7,6 +7,7 @@
 
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -14,7 +15,7 @@ struct CompletionOptions {
   std::string shell;  ///< "bash" | "zsh" | "fish"
 };
 
-void add_completion(CLI::App& app, Session& session);
+void add_completion(CommandLine& line, Session& session);
 
 /// @throws Error kUsage for an unknown shell.
 int run_completion(const CompletionOptions& options, const CommandShape& program, Output& output);

@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "base/words.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/terminal.h"
 #include "samples/samples.h"
 #include "samples/write.h"
@@ -82,26 +82,23 @@ std::filesystem::path demo_one(const std::string& name, const DemoOptions& optio
 
 }  // namespace
 
-void add_demo(CLI::App& app, Session& session) {
-  CLI::App* command =
-      add_command(app, session,
-                  {"demo", "Paint a sample pair of pictures and morph it: something to watch and to edit",
-                   "  morphkit demo                      # into ./morphkit-demo\n"
-                   "  morphkit demo --list\n"
-                   "  morphkit demo --all -o /tmp/demo",
-                   kHelpGroup});
+void add_demo(CommandLine& line, Session& session) {
   auto options = std::make_shared<DemoOptions>();
-  command->add_option("NAME", options->name, "Which sample (the first)")
-      ->type_name(fmt::format("{{{}}}", fmt::join(samples::names(), ",")));
-  command->add_option("-o,--output", options->folder, "Folder to write into (morphkit-demo)")->type_name("DIR");
-  command->add_option("-n,--frame-count", options->frame_count, "Number of frames, if not the project's own")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000).description(""));
-  command->add_flag("--all", options->all, "All samples");
-  command->add_flag("--list", options->list, "Print the names of the samples and stop");
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace pictures and projects that you have changed");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_demo(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"demo", "Paint a sample pair of pictures and morph it: something to watch and to edit",
+                                 "  morphkit demo                      # into ./morphkit-demo\n"
+                                 "  morphkit demo --list\n"
+                                 "  morphkit demo --all -o /tmp/demo",
+                                 kHelpGroup},
+                                [options](Output& output) { return run_demo(*options, output); });
+  command.text("NAME", options->name, "Which sample (the first)",
+               fmt::format("{{{}}}", fmt::join(samples::names(), ",")));
+  command.path("-o,--output", options->folder, "Folder to write into (morphkit-demo)", "DIR");
+  command.integer("-n,--frame-count", options->frame_count, "Number of frames, if not the project's own", "N",
+                  {1, 100000});
+  command.flag("--all", options->all, "All samples");
+  command.flag("--list", options->list, "Print the names of the samples and stop");
+  command.flag("-y,--overwrite", options->overwrite, "Replace pictures and projects that you have changed");
 }
 
 int run_demo(const DemoOptions& options, Output& output) {

@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -22,7 +19,7 @@ struct DemoOptions {
   bool overwrite = false;
 };
 
-void add_demo(CLI::App& app, Session& session);
+void add_demo(CommandLine& line, Session& session);
 
 /// @throws Error kUsage for an unknown sample; kIo if files cannot be written, or a picture or project of the sample
 /// exists with other contents and `overwrite` is off. A rendered demo is always replaced.

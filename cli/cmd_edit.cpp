@@ -5,12 +5,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/edit/document/storage.h"
 #include "cli/edit/hand/editor.h"
 #include "cli/edit/view/layout.h"
@@ -53,24 +53,19 @@ cv::Size window_size(const std::string& text) {
 
 }  // namespace
 
-void add_edit(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"edit", "Mark features on two pictures in a window, and watch the morph change",
-                                   "  morphkit edit a.jpg b.jpg                 # saves to a-b.json\n"
-                                   "  morphkit edit pair.json\n"
-                                   "  morphkit edit a.jpg b.jpg -o pair.json --window 1920x1000",
-                                   kRenderGroup});
+void add_edit(CommandLine& line, Session& session) {
   auto options = std::make_shared<EditOptions>();
-  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
-      ->type_name("| A B")
-      ->required()
-      ->expected(1, 2);
-  command->add_option("--features", options->features, "Features to begin with, for two pictures")->type_name("F");
-  command->add_option("-o,--output", options->output, "The project file for two pictures (default: A-B.json)")
-      ->type_name("FILE");
-  command->add_option("--window", options->window, "Size of the window (default: 1600x900)")->type_name("WxH");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_edit(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"edit", "Mark features on two pictures in a window, and watch the morph change",
+                                 "  morphkit edit a.jpg b.jpg                 # saves to a-b.json\n"
+                                 "  morphkit edit pair.json\n"
+                                 "  morphkit edit a.jpg b.jpg -o pair.json --window 1920x1000",
+                                 kRenderGroup},
+                                [options](Output& output) { return run_edit(*options, output); });
+  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
+  command.path("--features", options->features, "Features to begin with, for two pictures", "F");
+  command.path("-o,--output", options->output, "The project file for two pictures (default: A-B.json)", "FILE");
+  command.text("--window", options->window, "Size of the window (default: 1600x900)", "WxH");
 }
 
 project::Project project_to_edit(const EditOptions& options) {

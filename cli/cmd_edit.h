@@ -7,12 +7,9 @@
 
 #include "morph/project/project.h"
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -23,7 +20,7 @@ struct EditOptions {
   std::string window = "1600x900";            ///< size of the canvas, px
 };
 
-void add_edit(CLI::App& app, Session& session);
+void add_edit(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_edit(const EditOptions& options, Output& output);

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
@@ -23,18 +23,15 @@ cv::Size picture_size(const project::Project& project, const project::Side& side
 
 }  // namespace
 
-void add_export(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"export", "Write a project's mesh for other tools (xmorph and gtkmorph)",
-                                   "  morphkit export pair.json cat.mesh tiger.mesh", kRenderGroup});
+void add_export(CommandLine& line, Session& session) {
   auto options = std::make_shared<ExportOptions>();
-  command->add_option("PROJECT", options->project, "The project file")->type_name("")->required();
-  command->add_option("FILE", options->files, "The files to write, the source's first: two .mesh")
-      ->type_name("")
-      ->required();
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_export(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"export", "Write a project's mesh for other tools (xmorph and gtkmorph)",
+                                 "  morphkit export pair.json cat.mesh tiger.mesh", kRenderGroup},
+                                [options](Output& output) { return run_export(*options, output); });
+  command.path("PROJECT", options->project, "The project file", "").required();
+  command.paths("FILE", options->files, "The files to write, the source's first: two .mesh", "").required();
+  command.flag("-y,--overwrite", options->overwrite, "Replace files that exist");
 }
 
 int run_export(const ExportOptions& options, Output& output) {

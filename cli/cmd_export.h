@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -19,7 +16,7 @@ struct ExportOptions {
   bool overwrite = false;
 };
 
-void add_export(CLI::App& app, Session& session);
+void add_export(CommandLine& line, Session& session);
 
 /// @return the exit code. @throws Error as exchange::export_to.
 int run_export(const ExportOptions& options, Output& output);

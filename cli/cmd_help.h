@@ -1,14 +1,11 @@
 #pragma once
 // morphkit help [COMMAND].
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 struct Session;
 
-void add_help(CLI::App& app, Session& session);
+void add_help(CommandLine& line, Session& session);
 
 }  // namespace morphkit::cli

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
@@ -41,21 +41,18 @@ std::string summary(const project::Project& project) {
 
 }  // namespace
 
-void add_import(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(
-      app, session,
-      {"import", "Make a project of other tools' files (xmorph and gtkmorph meshes)",
-       "  morphkit import cat.mesh tiger.mesh --source cat.png --destination tiger.png -o pair.json", kRenderGroup});
+void add_import(CommandLine& line, Session& session) {
   auto options = std::make_shared<ImportOptions>();
-  command->add_option("FILE", options->files, "The other tool's files, the source's first: two .mesh")
-      ->type_name("")
-      ->required();
-  command->add_option("--source", options->source, "The picture to start from")->type_name("A")->required();
-  command->add_option("--destination", options->destination, "The picture to arrive at")->type_name("B")->required();
-  command->add_option("-o,--output", options->output, "The project to write")->type_name("PROJECT")->required();
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace the project if it exists");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_import(*options, output); }; });
+  Options command = add_command(
+      line, session,
+      {"import", "Make a project of other tools' files (xmorph and gtkmorph meshes)",
+       "  morphkit import cat.mesh tiger.mesh --source cat.png --destination tiger.png -o pair.json", kRenderGroup},
+      [options](Output& output) { return run_import(*options, output); });
+  command.paths("FILE", options->files, "The other tool's files, the source's first: two .mesh", "").required();
+  command.path("--source", options->source, "The picture to start from", "A").required();
+  command.path("--destination", options->destination, "The picture to arrive at", "B").required();
+  command.path("-o,--output", options->output, "The project to write", "PROJECT").required();
+  command.flag("-y,--overwrite", options->overwrite, "Replace the project if it exists");
 }
 
 int run_import(const ImportOptions& options, Output& output) {

@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -20,7 +17,7 @@ struct ImportOptions {
   bool overwrite = false;
 };
 
-void add_import(CLI::App& app, Session& session);
+void add_import(CommandLine& line, Session& session);
 
 /// The project names its pictures relative to itself.
 /// @return the exit code. @throws Error as exchange::import_into; kIo if the project exists and `overwrite` is off.

@@ -2,27 +2,25 @@
 
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/file_info.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
 
-void add_info(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"info", "Tell what is in pictures and project files",
-                                   "  morphkit info face.jpg pair.json\n"
-                                   "  morphkit info plate.exr --pixels --json",
-                                   kInspectGroup});
+void add_info(CommandLine& line, Session& session) {
   auto options = std::make_shared<InfoOptions>();
-  command->add_option("FILE", options->files, "Pictures and projects (*.json)")->type_name("")->required();
-  command->add_flag("--pixels", options->pixels, "Decode pictures: minimum, maximum, mean, values that are not finite");
-  command->add_flag("--json", options->json, "Print an array with one object per file");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_info(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"info", "Tell what is in pictures and project files",
+                                 "  morphkit info face.jpg pair.json\n"
+                                 "  morphkit info plate.exr --pixels --json",
+                                 kInspectGroup},
+                                [options](Output& output) { return run_info(*options, output); });
+  command.paths("FILE", options->files, "Pictures and projects (*.json)", "").required();
+  command.flag("--pixels", options->pixels, "Decode pictures: minimum, maximum, mean, values that are not finite");
+  command.flag("--json", options->json, "Print an array with one object per file");
 }
 
 int run_info(const InfoOptions& options, Output& output) {

@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -19,7 +16,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-void add_info(CLI::App& app, Session& session);
+void add_info(CommandLine& line, Session& session);
 
 /// Tells about every file; one that cannot be read is reported and the others still told about.
 /// @return 0, or the code of the first error.

@@ -3,12 +3,12 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
@@ -45,36 +45,27 @@ int write_frames(const MapOptions& options, const render::Renderer& renderer, Ou
 
 }  // namespace
 
-void add_map(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"map", "Write the map of a moment as an STMap (32-bit float EXR) for any compositor",
-                                   "  morphkit map pair.json -t 0.5 -o stmap.exr\n"
-                                   "  morphkit map pair.json --frames 1-48 --side destination -o stmap.%04d.exr",
-                                   kRenderGroup});
+void add_map(CommandLine& line, Session& session) {
   auto options = std::make_shared<MapOptions>();
-  command->add_option("PROJECT", options->inputs, "A project file, or two pictures")
-      ->type_name("| A B")
-      ->required()
-      ->expected(1, 2);
-  command->add_option("--features", options->features, "Features for two pictures")->type_name("F");
-  command->add_option("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)")->type_name("T");
-  command->add_option("--frames", options->frames, "Or these frames, into numbered files")->type_name("RANGE");
-  command->add_option("--field", options->field, "How the field of lines is evaluated: adaptive (default), exact")
-      ->type_name("FIELD")
-      ->check(CLI::IsMember(field_names()));
-  command->add_option("--side", options->side, "Which picture the map looks into: source (default), destination")
-      ->type_name("SIDE")
-      ->check(CLI::IsMember({"source", "destination"}));
-  command->add_option("--origin", options->origin, "Where (0, 0) lies: bottom-left (default), top-left")
-      ->type_name("CORNER")
-      ->check(CLI::IsMember({"bottom-left", "top-left"}));
-  command->add_option("-o,--output", options->output, "The file, or a numbered name for frames")
-      ->type_name("OUT.exr")
-      ->required();
-  command->add_flag("--allow-folds", options->allow_folds, "Write the map of a mesh that folds over all the same");
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_map(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"map", "Write the map of a moment as an STMap (32-bit float EXR) for any compositor",
+                                 "  morphkit map pair.json -t 0.5 -o stmap.exr\n"
+                                 "  morphkit map pair.json --frames 1-48 --side destination -o stmap.%04d.exr",
+                                 kRenderGroup},
+                                [options](Output& output) { return run_map(*options, output); });
+  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
+  command.path("--features", options->features, "Features for two pictures", "F");
+  command.real("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)", "T");
+  command.text("--frames", options->frames, "Or these frames, into numbered files", "RANGE");
+  command.choice("--field", options->field, "How the field of lines is evaluated: adaptive (default), exact", "FIELD",
+                 words_of(field_names()));
+  command.choice("--side", options->side, "Which picture the map looks into: source (default), destination", "SIDE",
+                 {"source", "destination"});
+  command.choice("--origin", options->origin, "Where (0, 0) lies: bottom-left (default), top-left", "CORNER",
+                 {"bottom-left", "top-left"});
+  command.path("-o,--output", options->output, "The file, or a numbered name for frames", "OUT.exr").required();
+  command.flag("--allow-folds", options->allow_folds, "Write the map of a mesh that folds over all the same");
+  command.flag("-y,--overwrite", options->overwrite, "Replace files that exist");
 }
 
 int run_map(const MapOptions& options, Output& output) {

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -28,7 +25,7 @@ struct MapOptions {
   bool overwrite = false;
 };
 
-void add_map(CLI::App& app, Session& session);
+void add_map(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_map(const MapOptions& options, Output& output);

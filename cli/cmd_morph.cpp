@@ -7,11 +7,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
@@ -140,72 +140,51 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
   return 0;
 }
 
-void add_options(CLI::App& command, MorphOptions& options) {
-  command.add_option("PROJECT", options.inputs, "A project file, or two pictures")
-      ->type_name("| A B")
-      ->required()
-      ->expected(1, 2);
+void add_options(Options& command, MorphOptions& options) {
+  command.paths("PROJECT", options.inputs, "A project file, or two pictures", "| A B", 2).required();
   command
-      .add_option("-o,--output", options.output,
-                  "frame.%04d.png or frame.####.exr for frames; .mp4 .webm .mkv .mov .gif .apng; with -t a picture")
-      ->type_name("OUT")
-      ->required();
-  command
-      .add_option("--features", options.features, "Features for two pictures: a project file, or its features alone")
-      ->type_name("F");
-  command.add_option("--frames", options.frames, "Only these frames: 1-240, 1-240x2, 1,5,9-12, 10-")
-      ->type_name("RANGE");
-  command.add_option("-t,--time", options.t, "One picture at this moment, 0 (source) to 1 (destination)")
-      ->type_name("T");
-  command.add_option("-n,--frame-count", options.frame_count, "Number of frames from first to last")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10'000'000).description(""));
-  command.add_option("--size", options.size, "Size of the output in pixels")->type_name("WxH");
-  command.add_option("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none")
-      ->type_name("FIT")
-      ->check(CLI::IsMember(kFits));
-  command
-      .add_option("--filter", options.filter,
-                  "How colours are found: area (default), mitchell, lanczos, bicubic, bilinear, nearest")
-      ->type_name("FILTER")
-      ->check(CLI::IsMember(filter_names()));
-  command.add_option("--field", options.field, "How the field of lines is evaluated: adaptive (default), exact")
-      ->type_name("FIELD")
-      ->check(CLI::IsMember(field_names()));
-  command.add_option("--fps", options.fps, "Frames per second of a video: 25, 29.97, 30000/1001")->type_name("RATE");
-  command.add_option("--depth", options.depth, "Bits of frame files: 8, 16, half, float")->type_name("DEPTH");
-  command.add_option("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better")
-      ->type_name("Q")
-      ->check(CLI::Range(0, 100).description(""));
-  command
-      .add_option("--compression", options.compression,
-                  "PNG, TIFF, EXR, APNG: 0 (none) to 9 (smallest); fast if not given")
-      ->type_name("N")
-      ->check(CLI::Range(0, 9).description(""));
-  command
-      .add_option("--preset", options.preset,
-                  "How long the encoder may think: .mp4 ultrafast ... veryfast ... placebo; .webm realtime, good, best")
-      ->type_name("NAME");
-  command.add_flag("--allow-folds", options.allow_folds, "Render a mesh that folds over as far as that goes");
-  command.add_flag("--resume", options.resume, "Render only the frames that are not there yet");
-  command.add_flag("-y,--overwrite", options.overwrite, "Replace files that exist");
-  command.add_flag("--json", options.json, "Print what was done as JSON");
+      .path("-o,--output", options.output,
+            "frame.%04d.png or frame.####.exr for frames; .mp4 .webm .mkv .mov .gif .apng; with -t a picture", "OUT")
+      .required();
+  command.path("--features", options.features, "Features for two pictures: a project file, or its features alone", "F");
+  command.text("--frames", options.frames, "Only these frames: 1-240, 1-240x2, 1,5,9-12, 10-", "RANGE");
+  command.real("-t,--time", options.t, "One picture at this moment, 0 (source) to 1 (destination)", "T");
+  command.integer("-n,--frame-count", options.frame_count, "Number of frames from first to last", "N", {1, 10'000'000});
+  command.text("--size", options.size, "Size of the output in pixels", "WxH");
+  command.choice("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none", "FIT",
+                 words_of(kFits));
+  command.choice("--filter", options.filter,
+                 "How colours are found: area (default), mitchell, lanczos, bicubic, bilinear, nearest", "FILTER",
+                 words_of(filter_names()));
+  command.choice("--field", options.field, "How the field of lines is evaluated: adaptive (default), exact", "FIELD",
+                 words_of(field_names()));
+  command.text("--fps", options.fps, "Frames per second of a video: 25, 29.97, 30000/1001", "RATE");
+  command.text("--depth", options.depth, "Bits of frame files: 8, 16, half, float", "DEPTH");
+  command.integer("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better", "Q", {0, 100});
+  command.integer("--compression", options.compression,
+                  "PNG, TIFF, EXR, APNG: 0 (none) to 9 (smallest); fast if not given", "N", {0, 9});
+  command.text("--preset", options.preset,
+               "How long the encoder may think: .mp4 ultrafast ... veryfast ... placebo; .webm realtime, good, best",
+               "NAME");
+  command.flag("--allow-folds", options.allow_folds, "Render a mesh that folds over as far as that goes");
+  command.flag("--resume", options.resume, "Render only the frames that are not there yet");
+  command.flag("-y,--overwrite", options.overwrite, "Replace files that exist");
+  command.flag("--json", options.json, "Print what was done as JSON");
 }
 
 }  // namespace
 
-void add_morph(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"morph", "Render a morph: numbered frames, a video, an animation or one picture",
-                                   "  morphkit morph pair.json -o out.mp4\n"
-                                   "  morphkit morph a.jpg b.jpg --features pair.json -o frame.%04d.png\n"
-                                   "  morphkit morph pair.json --frames 1-240x2 --resume -o frame.####.exr\n"
-                                   "  morphkit morph pair.json -t 0.5 -o middle.png",
-                                   kRenderGroup});
+void add_morph(CommandLine& line, Session& session) {
   auto options = std::make_shared<MorphOptions>();
-  add_options(*command, *options);
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_morph(*options, output); }; });
+  Options command = add_command(line, session,
+                                {"morph", "Render a morph: numbered frames, a video, an animation or one picture",
+                                 "  morphkit morph pair.json -o out.mp4\n"
+                                 "  morphkit morph a.jpg b.jpg --features pair.json -o frame.%04d.png\n"
+                                 "  morphkit morph pair.json --frames 1-240x2 --resume -o frame.####.exr\n"
+                                 "  morphkit morph pair.json -t 0.5 -o middle.png",
+                                 kRenderGroup},
+                                [options](Output& output) { return run_morph(*options, output); });
+  add_options(command, *options);
 }
 
 project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features) {

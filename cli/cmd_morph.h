@@ -9,12 +9,9 @@
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -40,7 +37,7 @@ struct MorphOptions {
   bool json = false;
 };
 
-void add_morph(CLI::App& app, Session& session);
+void add_morph(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_morph(const MorphOptions& options, Output& output);

@@ -1,16 +1,13 @@
 #pragma once
 // morphkit schema: the JSON Schema of project files.
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
-void add_schema(CLI::App& app, Session& session);
+void add_schema(CommandLine& line, Session& session);
 
 /// Prints the schema. @return the exit code.
 int run_schema(Output& output);

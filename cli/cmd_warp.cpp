@@ -6,12 +6,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
@@ -108,44 +108,35 @@ warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size si
 
 }  // namespace
 
-void add_warp(CLI::App& app, Session& session) {
-  CLI::App* command = add_command(app, session,
-                                  {"warp", "Bend one image onto a mesh",
-                                   "  morphkit warp face.png --mesh smile.mesh -o smiling.png\n"
-                                   "  morphkit warp face.png --from neutral.mesh --mesh smile.mesh -o smiling.exr\n"
-                                   "  morphkit warp woman.png --mesh pair.json -o as-the-man.png",
-                                   kRenderGroup});
+void add_warp(CommandLine& line, Session& session) {
   auto options = std::make_shared<WarpOptions>();
-  command->add_option("IMAGE", options->image, "The image")->type_name("")->required();
+  Options command = add_command(line, session,
+                                {"warp", "Bend one image onto a mesh",
+                                 "  morphkit warp face.png --mesh smile.mesh -o smiling.png\n"
+                                 "  morphkit warp face.png --from neutral.mesh --mesh smile.mesh -o smiling.exr\n"
+                                 "  morphkit warp woman.png --mesh pair.json -o as-the-man.png",
+                                 kRenderGroup},
+                                [options](Output& output) { return run_warp(*options, output); });
+  command.path("IMAGE", options->image, "The image", "").required();
   command
-      ->add_option("--mesh", options->mesh,
-                   "The mesh to bend onto: an xmorph .mesh file, or the destination's mesh of a project")
-      ->type_name("M")
-      ->required();
-  command
-      ->add_option("--from", options->from,
-                   "The mesh that lies on the image: a .mesh file, or the source's mesh of a project (default: that of "
-                   "the project M, else evenly spaced)")
-      ->type_name("F");
-  command->add_option("-o,--output", options->output, "The bent image")->type_name("OUT")->required();
-  command->add_option("--intermediate", options->intermediate, "Also write the image between the two passes")
-      ->type_name("FILE");
-  command->add_option("--size", options->size, "Size of the output in pixels (default: that of the image)")
-      ->type_name("WxH");
-  command->add_option("--spline", options->spline, "Curves: monotone (default), catmull-rom, linear")
-      ->type_name("SPLINE")
-      ->check(CLI::IsMember(kSplines));
-  command->add_option("--order", options->order, "Order of the passes: auto (default), rows-first, columns-first")
-      ->type_name("ORDER")
-      ->check(CLI::IsMember(kOrders));
-  command->add_option("--depth", options->depth, "Bits of the output: 8, 16, half, float")->type_name("DEPTH");
-  command->add_option("--quality", options->quality, "JPEG and WebP: 1 to 100")
-      ->type_name("Q")
-      ->check(CLI::Range(1, 100).description(""));
-  command->add_flag("--allow-folds", options->allow_folds, "Bend as far as that goes where a mesh folds over");
-  command->add_flag("-y,--overwrite", options->overwrite, "Replace files that exist");
-  command->callback(
-      [&session, options] { session.action = [options](Output& output) { return run_warp(*options, output); }; });
+      .path("--mesh", options->mesh,
+            "The mesh to bend onto: an xmorph .mesh file, or the destination's mesh of a project", "M")
+      .required();
+  command.path("--from", options->from,
+               "The mesh that lies on the image: a .mesh file, or the source's mesh of a project (default: that of "
+               "the project M, else evenly spaced)",
+               "F");
+  command.path("-o,--output", options->output, "The bent image", "OUT").required();
+  command.path("--intermediate", options->intermediate, "Also write the image between the two passes", "FILE");
+  command.text("--size", options->size, "Size of the output in pixels (default: that of the image)", "WxH");
+  command.choice("--spline", options->spline, "Curves: monotone (default), catmull-rom, linear", "SPLINE",
+                 words_of(kSplines));
+  command.choice("--order", options->order, "Order of the passes: auto (default), rows-first, columns-first", "ORDER",
+                 words_of(kOrders));
+  command.text("--depth", options->depth, "Bits of the output: 8, 16, half, float", "DEPTH");
+  command.integer("--quality", options->quality, "JPEG and WebP: 1 to 100", "Q", {1, 100});
+  command.flag("--allow-folds", options->allow_folds, "Bend as far as that goes where a mesh folds over");
+  command.flag("-y,--overwrite", options->overwrite, "Replace files that exist");
 }
 
 int run_warp(const WarpOptions& options, Output& output) {

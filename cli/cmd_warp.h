@@ -4,12 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
+class CommandLine;
 class Output;
 struct Session;
 
@@ -29,7 +26,7 @@ struct WarpOptions {
   bool overwrite = false;
 };
 
-void add_warp(CLI::App& app, Session& session);
+void add_warp(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_warp(const WarpOptions& options, Output& output);

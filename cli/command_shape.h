@@ -5,10 +5,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace morphkit::cli {
 
 struct OptionShape {
@@ -26,8 +22,6 @@ struct CommandShape {
   std::vector<std::string> positional_choices;  ///< what its arguments can be; empty: files
   std::vector<CommandShape> commands;
 };
-
-CommandShape shape_of(const CLI::App& app);
 
 /// Names of the commands directly below `shape`.
 std::vector<std::string> command_names(const CommandShape& shape);

@@ -5,15 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <new>
-#include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/words.h"
 #include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_compare.h"
@@ -29,7 +26,7 @@
 #include "cli/cmd_schema.h"
 #include "cli/cmd_warp.h"
 #include "cli/command.h"
-#include "cli/help_format.h"
+#include "cli/command_line.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
@@ -45,87 +42,42 @@ constexpr const char* kFooter =
     "Exit codes: 0 done; 1 the work failed; 2 wrong usage; 3 bad input file; 4 could not read or write;\n"
     "            5 check or compare found something; 130 interrupted";
 
-std::unique_ptr<CLI::App> make_app(Session& session) {
-  auto app = std::make_unique<CLI::App>("Bends pictures, and turns one picture into another.", "morphkit");
-  app->formatter(help_formatter());
-  app->set_version_flag("--version", "morphkit " MORPHKIT_VERSION, "Print the version")->group(kCommonGroup);
-  add_common_options(*app, session.common);
-  app->require_subcommand(0, 1);
-  app->footer(kFooter);
-  add_edit(*app, session);
-  add_morph(*app, session);
-  add_warp(*app, session);
-  add_map(*app, session);
-  add_import(*app, session);
-  add_export(*app, session);
-  add_check(*app, session);
-  add_info(*app, session);
-  add_compare(*app, session);
-  add_bench(*app, session);
-  add_demo(*app, session);
-  add_schema(*app, session);
-  add_completion(*app, session);
-  add_help(*app, session);
-  return app;
-}
-
-/// What is wrong with the word that no option or argument of `app` could take.
-std::string unexpected_text(const CLI::App& app, const std::string& word) {
-  const bool is_option = word.size() > 1 && word.front() == '-';
-  const bool is_command = !is_option && app.get_parent() == nullptr;
-  if (!is_option && !is_command) return fmt::format("unexpected argument '{}'", word);
-  const CommandShape shape = shape_of(app);
-  const std::string name = is_option ? word.substr(0, word.find('=')) : word;
-  const auto similar = nearest(name, is_option ? option_names(shape) : command_names(shape));
-  std::string text = fmt::format("unknown {} '{}'", is_option ? "option" : "command", name);
-  if (similar) return fmt::format("{}; did you mean '{}'?", text, *similar);
-  const std::filesystem::path path(word);
-  if (is_command && path.extension() == ".json") {
-    text += fmt::format("; to render a project: morphkit morph {} -o out.mp4", word);
+/// The program with all its commands. They hold on to `session`.
+class Program {
+ public:
+  Program() {
+    Options options = line.options();
+    add_common_options(options, session.common);
+    for (const auto add : {add_edit, add_morph, add_warp, add_map, add_import, add_export, add_check, add_info,
+                           add_compare, add_bench, add_demo, add_schema, add_completion, add_help})
+      add(line, session);
   }
-  return text;
-}
 
-int report_usage(const CLI::App& app, const CLI::ParseError& error, Output& output) {
-  const CLI::App* current = &app;
-  while (!current->get_subcommands().empty()) current = current->get_subcommands().front();
-  const bool in_command = current != &app;
-  const std::string command = in_command ? "morphkit " + current->get_name() : "morphkit";
-  // An unknown word explains more than the option that is missing because of it.
-  const std::vector<std::string> unknown = app.remaining(true);
-  const std::string message = unknown.empty() ? error.what() : unexpected_text(*current, unknown.front());
-  output.error(in_command ? fmt::format("{}: {}", current->get_name(), message) : message);
-  output.note(fmt::format("Try '{} --help'.", command));
-  return static_cast<int>(ErrorCode::kUsage);
-}
+  Session session;
+  CommandLine line{"morphkit", "Bends pictures, and turns one picture into another.", "morphkit " MORPHKIT_VERSION,
+                   kFooter};
+};
 
-int run_session(const CLI::App& app, const Session& session, Output& output) {
-  if (session.common.quiet) {
+void apply(const CommonOptions& common, Output& output) {
+  if (common.quiet) {
     output.set_verbosity(Verbosity::kQuiet);
-  } else if (session.common.verbose) {
+  } else if (common.verbose) {
     output.set_verbosity(Verbosity::kVerbose);
   }
-  if (!session.action) {
-    output.print(app.help());
-    return 0;
-  }
-  if (session.common.threads > 0) set_threads(session.common.threads);
-  return session.action(output);
+  if (common.threads > 0) set_threads(common.threads);
 }
 
 int parse_and_run(int argc, const char* const* argv, Output& output) {
-  Session session;
-  const std::unique_ptr<CLI::App> app = make_app(session);
+  Program program;
   int code = 0;
   try {
-    app->parse(argc, argv);
-    code = run_session(*app, session, output);
-  } catch (const CLI::CallForHelp&) {
-    output.print(app->help());
-  } catch (const CLI::CallForVersion& version) {
-    output.line(version.what());
-  } catch (const CLI::ParseError& error) {
-    code = report_usage(*app, error, output);
+    const Action action = program.line.parse(argc, argv);
+    apply(program.session.common, output);
+    code = action(output);
+  } catch (const UsageError& error) {
+    output.error(error.what());
+    output.note(fmt::format("Try '{} --help'.", error.command()));
+    code = static_cast<int>(ErrorCode::kUsage);
   }
   output.flush();
   return code;
@@ -160,8 +112,7 @@ int run_program(int argc, const char* const* argv) noexcept {
 }
 
 CommandShape program_shape() {
-  Session session;
-  return shape_of(*make_app(session));
+  return Program().line.shape();
 }
 
 }  // namespace morphkit::cli
