@@ -117,8 +117,8 @@ project::Project random_project(int lines, cv::Size size) {
     const auto moved = [&](cv::Point2d point) { return point + cv::Point2d(uniform(-20, 20), uniform(-20, 20)); };
     project::Feature feature;
     feature.id = std::to_string(i + 1);
-    feature.source = {p, q};
-    feature.destination = {moved(p), moved(q)};
+    feature.places[project::kSource] = {p, q};
+    feature.places[project::kDestination] = {moved(p), moved(q)};
     project.features.push_back(std::move(feature));
   }
   return project;
@@ -161,12 +161,14 @@ void sample(const render::StageSide& side, warp::Filter filter, const warp::Map&
 
 /// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
 void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timings) {
-  using render::SideName;
-  timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, SideName::kSource); }), ""});
+  using project::kDestination;
+  using project::kSource;
+  using project::SideIndex;
+  timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, kSource); }), ""});
 
   const render::Stage& stage = renderer.stage();
-  warp::Map to_source = renderer.map(kMoment, SideName::kSource);
-  warp::Map to_destination = renderer.map(kMoment, SideName::kDestination);
+  warp::Map to_source = renderer.map(kMoment, kSource);
+  warp::Map to_destination = renderer.map(kMoment, kDestination);
   render::bring_to_held(stage.source, to_source);
   render::bring_to_held(stage.destination, to_destination);
   const warp::Filter filter = renderer.project().warp.filter;
@@ -224,7 +226,7 @@ void measure_video(const render::Renderer& renderer, const warp::Image& frame, s
 
 std::vector<Timing> measure(const render::Renderer& renderer) {
   std::vector<Timing> timings;
-  const bool parts = project::method_of(renderer.project()) == project::Method::kLines;
+  const bool parts = project::method_name_of(renderer.project()) == project::MethodName::kLines;
   if (parts) measure_parts(renderer, timings);
   timings.push_back(
       {"frame", "whole frame", median_ms([&] { renderer.frame(kMoment); }), parts ? "the three above together" : ""});

@@ -69,11 +69,12 @@ int run_check(const CheckOptions& options, Output& output) {
   const project::Project project = project_from(options.inputs, options.features);
   render::Pictures pictures = render::load_pictures(project);
   std::vector<std::string> notes;
-  for (const auto& [side, picture] :
-       {std::pair(&project.source, &pictures.source), std::pair(&project.destination, &pictures.destination)})
+  for (const auto& [side, picture] : {std::pair(&project.pictures[project::kSource], &pictures.source),
+                                      std::pair(&project.pictures[project::kDestination], &pictures.destination)})
     if (picture->nonfinite_pixels > 0)
       notes.push_back(
           fmt::format("{}: {} pixels are NaN or infinite", side->image.string(), picture->nonfinite_pixels));
+  for (std::string& sentence : project::unused_settings(project)) notes.push_back(std::move(sentence));
   if (std::string note = unused_mesh_note(project); !note.empty()) notes.push_back(std::move(note));
   const render::Renderer renderer(project, pictures, {.allow_folds = true});
   const std::vector<render::Finding> findings = render::check(renderer);

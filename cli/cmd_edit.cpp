@@ -34,7 +34,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 /// @throws Error unless that side of a project shows this picture.
-void require_picture(const project::Project& project, const project::Side& side, const fs::path& picture) {
+void require_picture(const project::Project& project, const project::Picture& side, const fs::path& picture) {
   std::error_code error;
   if (!fs::exists(picture, error)) throw Error(ErrorCode::kIo, picture.string(), "does not exist");
   if (!same_file(project::resolve(project, side.image), picture))
@@ -83,12 +83,13 @@ project::Project project_to_edit(const EditOptions& options) {
       throw Error(ErrorCode::kUsage, "--features",
                   fmt::format("{} is there already and has its own; name another file with -o", file.string()));
     project::Project there = project::load(file);
-    require_picture(there, there.source, options.inputs[0]);
-    require_picture(there, there.destination, options.inputs[1]);
+    require_picture(there, there.pictures[project::kSource], options.inputs[0]);
+    require_picture(there, there.pictures[project::kDestination], options.inputs[1]);
     return there;
   }
-  project.source.image = seen_from(file.parent_path(), project.source.image);
-  project.destination.image = seen_from(file.parent_path(), project.destination.image);
+  project.pictures[project::kSource].image = seen_from(file.parent_path(), project.pictures[project::kSource].image);
+  project.pictures[project::kDestination].image =
+      seen_from(file.parent_path(), project.pictures[project::kDestination].image);
   project.file = file;
   return project;
 }
@@ -99,8 +100,9 @@ int run_edit(const EditOptions& options, Output& output) {
   edit::require_savable(project);
   edit::require_display();
   const render::Pictures pictures = render::load_pictures(project);
-  warn_of_nonfinite(project.source.image, pictures.source, output);
-  warn_of_nonfinite(project.destination.image, pictures.destination, output);
+  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
+  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+  warn_of_unused_settings(project, output);
   output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
   edit::Editor editor(std::move(project), pictures, window);
   edit::run_window(editor);

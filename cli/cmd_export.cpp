@@ -16,7 +16,7 @@
 namespace morphkit::cli {
 namespace {
 
-cv::Size picture_size(const project::Project& project, const project::Side& side) {
+cv::Size picture_size(const project::Project& project, const project::Picture& side) {
   const media::ImageInfo info = media::read_info(project::resolve(project, side.image));
   return {info.width, info.height};
 }
@@ -37,8 +37,8 @@ void add_export(CommandLine& line, Session& session) {
 int run_export(const ExportOptions& options, Output& output) {
   const project::Project project = project::load(options.project);
   const std::vector<std::string> remarks =
-      exchange::export_to(project, {options.files, picture_size(project, project.source),
-                                    picture_size(project, project.destination), options.overwrite});
+      exchange::export_to(project, {options.files, picture_size(project, project.pictures[project::kSource]),
+                                    picture_size(project, project.pictures[project::kDestination]), options.overwrite});
   for (const std::string& remark : remarks) output.note(remark);
   std::vector<std::string> names;
   for (const std::filesystem::path& file : options.files) names.push_back(file.string());

@@ -59,8 +59,8 @@ int run_import(const ImportOptions& options, Output& output) {
   if (options.output.extension() != ".json")
     throw Error(ErrorCode::kUsage, options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;
-  project.source.image = seen_from(options.output, options.source);
-  project.destination.image = seen_from(options.output, options.destination);
+  project.pictures[project::kSource].image = seen_from(options.output, options.source);
+  project.pictures[project::kDestination].image = seen_from(options.output, options.destination);
   const exchange::ImportReport report =
       exchange::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
   project::save(project, options.output, options.overwrite);

@@ -22,8 +22,7 @@ namespace {
 
 void write_moment(const MapOptions& options, const render::Renderer& renderer, double t,
                   const std::filesystem::path& file) {
-  const render::SideName side =
-      options.side == "destination" ? render::SideName::kDestination : render::SideName::kSource;
+  const project::SideIndex side = options.side == "destination" ? project::kDestination : project::kSource;
   const render::Origin origin = options.origin == "top-left" ? render::Origin::kTopLeft : render::Origin::kBottomLeft;
   renderer.require(t);
   media::write_map(file, render::stmap(renderer.map(t, side), renderer.picture_size(side), origin), options.overwrite);
@@ -73,7 +72,8 @@ int run_map(const MapOptions& options, Output& output) {
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
   project::Project project = project_from(options.inputs, options.features);
-  if (!options.field.empty()) project.warp.field = field_names().at(options.field);
+  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
+  warn_of_unused_settings(project, output);
   const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
   if (!options.t) return write_frames(options, renderer, output);
   write_moment(options, renderer, *options.t, options.output);

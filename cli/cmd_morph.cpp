@@ -35,15 +35,16 @@ void apply_overrides(const MorphOptions& options, project::Project& project) {
   if (!options.size.empty()) output.size = parse_size(options.size);
   if (!options.fit.empty()) output.fit = kFits.at(options.fit);
   if (!options.filter.empty()) project.warp.filter = filter_names().at(options.filter);
-  if (!options.field.empty()) project.warp.field = field_names().at(options.field);
+  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
   if (options.frame_count > 0) output.frames = options.frame_count;
   if (!options.fps.empty()) output.fps = parse_fps(options.fps);
 }
 
 void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
-  warn_of_nonfinite(project.source.image, pictures.source, output);
-  warn_of_nonfinite(project.destination.image, pictures.destination, output);
-  if (project::method_of(project) != project::Method::kLines) return;
+  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
+  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+  warn_of_unused_settings(project, output);
+  if (project::method_name_of(project) != project::MethodName::kLines) return;
   if (const std::string note = unused_mesh_note(project); !note.empty())
     output.warning(note);
   else if (project.features.empty())
@@ -190,8 +191,8 @@ void add_morph(CommandLine& line, Session& session) {
 project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features) {
   if (inputs.size() == 2) {
     project::Project project;
-    project.source.image = inputs[0];
-    project.destination.image = inputs[1];
+    project.pictures[project::kSource].image = inputs[0];
+    project.pictures[project::kDestination].image = inputs[1];
     if (!features.empty()) project::load_features(project, features);
     return project;
   }
@@ -209,8 +210,12 @@ void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& 
                                picture.nonfinite_pixels));
 }
 
+void warn_of_unused_settings(const project::Project& project, Output& output) {
+  for (const std::string& sentence : project::unused_settings(project)) output.warning(sentence);
+}
+
 std::string unused_mesh_note(const project::Project& project) {
-  if (!project.mesh || project::method_of(project) == project::Method::kMesh) return "";
+  if (!project.mesh || project::method_name_of(project) == project::MethodName::kMesh) return "";
   return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
 }
 

@@ -49,6 +49,9 @@ project::Project project_from(const std::vector<std::filesystem::path>& inputs, 
 /// Tells of pixels that are NaN or infinite, if there are any.
 void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);
 
+/// Warns of every setting that the project's method does not use.
+void warn_of_unused_settings(const project::Project& project, Output& output);
+
 /// What to say of a project whose mesh is not used; empty if there is nothing to say.
 std::string unused_mesh_note(const project::Project& project);
 

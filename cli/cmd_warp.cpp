@@ -35,10 +35,10 @@ bool is_project(const std::filesystem::path& file) {
 }
 
 /// The mesh of a project's side, brought from that side's picture to `frame`.
-warp::Mesh project_mesh(const std::filesystem::path& file, render::SideName side, cv::Size frame) {
+warp::Mesh project_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame) {
   const project::Project project = project::load(file);
   if (!project.mesh) throw Error(ErrorCode::kBadInput, file.string(), "has no \"mesh\"");
-  const project::Side& named = side == render::SideName::kSource ? project.source : project.destination;
+  const project::Picture& named = project.pictures[side];
   const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
   const cv::Size picture(info.width, info.height);
   return render::brought_to(render::mesh_on(project, side, picture), picture, frame);
@@ -50,7 +50,7 @@ struct NamedMesh {
   std::string place;  ///< see render::require_unfolded
 };
 
-NamedMesh read_mesh(const std::filesystem::path& file, render::SideName side, cv::Size frame, Output& output) {
+NamedMesh read_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame, Output& output) {
   if (is_project(file))
     return {project_mesh(file, side, frame), fmt::format("{}: /mesh/{}/", file.string(), render::name_of(side))};
   std::vector<std::string> remarks;
@@ -60,8 +60,8 @@ NamedMesh read_mesh(const std::filesystem::path& file, render::SideName side, cv
 }
 
 NamedMesh from_mesh(const WarpOptions& options, const warp::Mesh& to, cv::Size image, Output& output) {
-  if (!options.from.empty()) return read_mesh(options.from, render::SideName::kSource, image, output);
-  if (is_project(options.mesh)) return read_mesh(options.mesh, render::SideName::kSource, image, output);
+  if (!options.from.empty()) return read_mesh(options.from, project::kSource, image, output);
+  if (is_project(options.mesh)) return read_mesh(options.mesh, project::kSource, image, output);
   return {warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)}), options.mesh.string()};
 }
 
@@ -85,7 +85,7 @@ void require_free(const WarpOptions& options) {
 
 /// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
 warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size size, Output& output) {
-  const NamedMesh to = read_mesh(options.mesh, render::SideName::kDestination, size, output);
+  const NamedMesh to = read_mesh(options.mesh, project::kDestination, size, output);
   const NamedMesh from = from_mesh(options, to.mesh, image, output);
   require_alike(options, from.mesh, to.mesh);
   warp::MeshWarp warp(from.mesh, to.mesh, {kSplines.at(options.spline), kOrders.at(options.order)});

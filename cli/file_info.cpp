@@ -53,7 +53,7 @@ void add_pixels(const media::Picture& picture, FileInfo& info) {
 }
 
 /// The size of a picture that a project names, or why it has none.
-void add_side(const char* label, const project::Project& project, const project::Side& side, FileInfo& info) {
+void add_side(const char* label, const project::Project& project, const project::Picture& side, FileInfo& info) {
   Report report;
   report.set("image", side.image.string());
   std::string what;
@@ -88,13 +88,13 @@ const char* fit_name(project::Fit fit) {
 }
 
 void add_features(const project::Project& project, FileInfo& info) {
-  const auto count = [&](project::FeatureKind kind) {
+  const auto count = [&]<typename Kind>(Kind) {
     return std::count_if(project.features.begin(), project.features.end(),
-                         [kind](const project::Feature& feature) { return feature.kind == kind; });
+                         [](const project::Feature& feature) { return std::holds_alternative<Kind>(feature.mark); });
   };
-  const auto lines = count(project::FeatureKind::kLine);
-  const auto points = count(project::FeatureKind::kPoint);
-  const auto curves = count(project::FeatureKind::kCurve);
+  const auto lines = count(project::Line{});
+  const auto points = count(project::Point{});
+  const auto curves = count(project::Curve{});
   info.text += fmt::format("  features     {}: {} lines, {} points, {} curves\n", project.features.size(), lines,
                            points, curves);
   Report features;
@@ -105,7 +105,7 @@ void add_features(const project::Project& project, FileInfo& info) {
     info.text += fmt::format("  mesh         {} x {} vertices\n", project.mesh->columns, project.mesh->rows);
     info.report.set("mesh", Report().set("columns", project.mesh->columns).set("rows", project.mesh->rows));
   }
-  const bool by_mesh = project::method_of(project) == project::Method::kMesh;
+  const bool by_mesh = project::method_name_of(project) == project::MethodName::kMesh;
   info.text += fmt::format("  method       {}\n", by_mesh ? "mesh" : "lines");
   info.report.set("method", by_mesh ? "mesh" : "lines");
 
@@ -164,8 +164,8 @@ FileInfo project_info(const std::filesystem::path& file) {
   FileInfo info;
   info.text = fmt::format("{}: morphkit project\n", file.string());
   info.report.set("file", file.string()).set("kind", "project");
-  add_side("source", project, project.source, info);
-  add_side("destination", project, project.destination, info);
+  add_side("source", project, project.pictures[project::kSource], info);
+  add_side("destination", project, project.pictures[project::kDestination], info);
   add_features(project, info);
   add_output(project.output, info);
   return info;

@@ -238,8 +238,8 @@ std::vector<std::string> import_xmorph(project::Project& project, const ImportIn
                     destination.rows, input.files[0].string(), source.columns, source.rows));
   }
   project.mesh =
-      project::Mesh{source.columns, source.rows, std::move(source.vertices), std::move(destination.vertices), {}};
-  project.warp.method = project::Method::kMesh;
+      project::Mesh{source.columns, source.rows, {std::move(source.vertices), std::move(destination.vertices)}, {}};
+  project.warp.method = project::MethodName::kMesh;
   if (project.warp.border == warp::Border::kMirror) {
     project.warp.border.reset();
     remarks.emplace_back("the border \"mirror\" is gone: a mesh cannot mirror");
@@ -273,9 +273,10 @@ std::vector<std::string> export_xmorph(const project::Project& project, const Ex
     }
   }
   const project::Mesh& mesh = *project.mesh;
-  const std::string source = xmorph_mesh_text(side_mesh(mesh, mesh.source, output.source_size), output.source_size);
-  const std::string destination =
-      xmorph_mesh_text(side_mesh(mesh, mesh.destination, output.destination_size), output.destination_size);
+  const std::string source =
+      xmorph_mesh_text(side_mesh(mesh, mesh.vertices[project::kSource], output.source_size), output.source_size);
+  const std::string destination = xmorph_mesh_text(
+      side_mesh(mesh, mesh.vertices[project::kDestination], output.destination_size), output.destination_size);
   // Both are complete before either takes its place.
   AtomicFile source_file(output.files.at(0), output.overwrite);
   AtomicFile destination_file(output.files.at(1), output.overwrite);

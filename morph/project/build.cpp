@@ -1,5 +1,6 @@
 #include "morph/project/build.h"
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -49,59 +50,55 @@ Node points_node(const std::vector<cv::Point2d>& points) {
   return node;
 }
 
-void add_warp_influence(ObjectBuilder& warp, const Influence& influence) {
-  warp.number("a", influence.a);
-  warp.number("b", influence.b);
-  warp.number("p", influence.p);
-  if (influence.scale) warp.always("scale", named(kScales, *influence.scale));
-  if (influence.between) warp.always("between", named(kBetweens, *influence.between));
-  warp.number("turns", influence.turns);
+void add_pull(ObjectBuilder& warp, const Pull& pull) {
+  warp.number("a", pull.a);
+  warp.number("b", pull.b);
+  warp.number("p", pull.p);
+  if (pull.scale) warp.always("scale", named(kScales, *pull.scale));
+  if (pull.between) warp.always("between", named(kBetweens, *pull.between));
+  warp.number("turns", pull.turns);
 }
 
-void add_transition_influence(ObjectBuilder& transition, const Influence& influence, bool defaults) {
-  if (influence.shape) transition.always("shape", timing_node(*influence.shape, defaults));
-  if (influence.dissolve) transition.always("dissolve", timing_node(*influence.dissolve, defaults));
+void add_pace(ObjectBuilder& transition, const Pace& pace, bool defaults) {
+  if (pace.shape) transition.always("shape", timing_node(*pace.shape, defaults));
+  if (pace.dissolve) transition.always("dissolve", timing_node(*pace.dissolve, defaults));
 }
 
-void add_influence(ObjectBuilder& owner, const Influence& influence, bool defaults) {
+void add_influence(ObjectBuilder& owner, const Pull& pull, const Pace& pace, bool defaults) {
   ObjectBuilder warp(defaults), transition(defaults);
-  add_warp_influence(warp, influence);
-  add_transition_influence(transition, influence, defaults);
+  add_pull(warp, pull);
+  add_pace(transition, pace, defaults);
   owner.object("warp", std::move(warp));
   owner.object("transition", std::move(transition));
 }
 
 Node geometry_node(const Feature& feature, bool defaults) {
   ObjectBuilder geometry(defaults);
-  const bool is_point = feature.kind == FeatureKind::kPoint;
-  const auto side = [&](const std::vector<cv::Point2d>& points) {
-    return is_point ? point_node(points.at(0)) : points_node(points);
-  };
-  geometry.always("source", side(feature.source));
-  geometry.always("destination", side(feature.destination));
-  if (feature.kind == FeatureKind::kCurve) {
-    geometry.unless(feature.curve == Feature{}.curve, "spline", named(kCurves, feature.curve));
-    geometry.unless(!feature.closed, "closed", Node::of_bool(feature.closed));
+  const bool is_point = std::holds_alternative<Point>(feature.mark);
+  const auto side = [&](const Points& points) { return is_point ? point_node(points.at(0)) : points_node(points); };
+  geometry.always("source", side(feature.places[kSource]));
+  geometry.always("destination", side(feature.places[kDestination]));
+  if (const auto* curve = std::get_if<Curve>(&feature.mark)) {
+    geometry.unless(curve->kind == Curve{}.kind, "spline", named(kCurves, curve->kind));
+    geometry.unless(!curve->closed, "closed", Node::of_bool(curve->closed));
   }
   return geometry.take();
 }
 
 Node feature_node(const Feature& feature, bool defaults) {
+  constexpr std::array kMarks{"line", "point", "curve"};
   ObjectBuilder object(defaults);
   object.always("id", Node::string(feature.id));
   if (!feature.group.empty()) object.always("group", Node::string(feature.group));
-  const char* kind = feature.kind == FeatureKind::kLine    ? "line"
-                     : feature.kind == FeatureKind::kPoint ? "point"
-                                                           : "curve";
-  object.always(kind, geometry_node(feature, defaults));
-  add_influence(object, feature.influence, defaults);
+  object.always(kMarks[feature.mark.index()], geometry_node(feature, defaults));
+  add_influence(object, feature.pull, feature.pace, defaults);
   return object.take();
 }
 
 Node group_node(const Group& group, bool defaults) {
   ObjectBuilder object(defaults);
   object.always("id", Node::string(group.id));
-  add_influence(object, group.influence, defaults);
+  add_influence(object, group.pull, group.pace, defaults);
   return object.take();
 }
 
@@ -113,10 +110,10 @@ Node list_node(const std::vector<T>& list, Node (*item)(const T&, bool), bool de
   return node;
 }
 
-Node side_node(const Side& side) {
+Node picture_node(const Picture& picture) {
   ObjectBuilder object(false);
-  object.always("image", Node::string(side.image.string()));
-  if (!side.colorspace.empty()) object.always("colorspace", Node::string(side.colorspace));
+  object.always("image", Node::string(picture.image.string()));
+  if (!picture.colorspace.empty()) object.always("colorspace", Node::string(picture.colorspace));
   return object.take();
 }
 
@@ -145,8 +142,9 @@ Node mesh_group_node(const MeshGroup& group, bool defaults) {
 Node mesh_node(const Mesh& mesh, bool defaults) {
   ObjectBuilder object(defaults);
   object.always("size", integers_node({mesh.columns, mesh.rows}));
-  object.unless(mesh.source.empty(), "source", vertices_node(mesh.source, mesh.columns));
-  object.unless(mesh.destination.empty(), "destination", vertices_node(mesh.destination, mesh.columns));
+  object.unless(mesh.vertices[kSource].empty(), "source", vertices_node(mesh.vertices[kSource], mesh.columns));
+  object.unless(mesh.vertices[kDestination].empty(), "destination",
+                vertices_node(mesh.vertices[kDestination], mesh.columns));
   object.unless(mesh.groups.empty(), "groups", list_node(mesh.groups, mesh_group_node, defaults));
   Node node = object.take();
   node.expand = true;
@@ -156,10 +154,10 @@ Node mesh_node(const Mesh& mesh, bool defaults) {
 ObjectBuilder warp_object(const Project& project, bool defaults) {
   ObjectBuilder warp(defaults);
   if (project.warp.method) warp.always("method", named(kMethods, *project.warp.method));
-  warp.unless(project.warp.spline == Warp{}.spline, "spline", named(kMeshSplines, project.warp.spline));
-  warp.unless(project.warp.order == Warp{}.order, "order", named(kPassOrders, project.warp.order));
-  add_warp_influence(warp, project.influence);
-  warp.unless(project.warp.field == Warp{}.field, "field", named(kFields, project.warp.field));
+  warp.unless(project.warp.mesh.spline == Warp{}.mesh.spline, "spline", named(kMeshSplines, project.warp.mesh.spline));
+  warp.unless(project.warp.mesh.order == Warp{}.mesh.order, "order", named(kPassOrders, project.warp.mesh.order));
+  add_pull(warp, project.pull);
+  warp.unless(project.warp.lines.field == Warp{}.lines.field, "field", named(kFields, project.warp.lines.field));
   warp.unless(project.warp.filter == Warp{}.filter, "filter", named(kFilters, project.warp.filter));
   warp.unless(!project.warp.border, "border", named(kBorders, project.warp.border));
   return warp;
@@ -181,13 +179,13 @@ ObjectBuilder output_object(const Output& output, bool defaults) {
 
 json::Node build(const Project& project, bool defaults) {
   ObjectBuilder transition(defaults);
-  add_transition_influence(transition, project.influence, defaults);
+  add_pace(transition, project.pace, defaults);
   transition.unless(project.blend == Project{}.blend, "blend", named(kBlends, project.blend));
 
   ObjectBuilder root(defaults);
   root.always("morphkit", Node::of_number(1));
-  root.always("source", side_node(project.source));
-  root.always("destination", side_node(project.destination));
+  root.always("source", picture_node(project.pictures[kSource]));
+  root.always("destination", picture_node(project.pictures[kDestination]));
   root.unless(project.groups.empty(), "groups", list_node(project.groups, group_node, defaults));
   root.unless(project.features.empty(), "features", list_node(project.features, feature_node, defaults));
   if (project.mesh) root.always("mesh", mesh_node(*project.mesh, defaults));

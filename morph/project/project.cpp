@@ -5,30 +5,42 @@
 namespace morphkit::project {
 namespace {
 
+template <typename T>
+void fill(std::optional<T>& value, const std::optional<T>& fallback) {
+  if (!value) value = fallback;
+}
+
 /// Fills what `nearer` leaves open.
-void fall_back(Influence& nearer, const Influence& farther) {
-  const auto fill = [](auto& value, const auto& fallback) {
-    if (!value) value = fallback;
-  };
+void fall_back(Pull& nearer, const Pull& farther) {
   fill(nearer.a, farther.a);
   fill(nearer.b, farther.b);
   fill(nearer.p, farther.p);
   fill(nearer.scale, farther.scale);
   fill(nearer.between, farther.between);
   fill(nearer.turns, farther.turns);
+}
+
+void fall_back(Pace& nearer, const Pace& farther) {
   fill(nearer.shape, farther.shape);
   fill(nearer.dissolve, farther.dissolve);
 }
 
-Influence defaults() {
-  return {.a = 1,
-          .b = 2,
-          .p = 0,
-          .scale = warp::LineScale::kAlong,
-          .between = Between::kEndpoints,
-          .turns = 0,
-          .shape = motion::Timing{},
-          .dissolve = motion::Timing{}};
+const Pull kUsualPull{
+    .a = 1, .b = 2, .p = 0, .scale = warp::LineScale::kAlong, .between = Between::kEndpoints, .turns = 0};
+const Pace kUsualPace{.shape = motion::Timing{}, .dissolve = motion::Timing{}};
+
+/// What `member` of the group says; nothing if there is no such group.
+template <typename T>
+T of_group(const Project& project, const std::string& group, T Group::*member) {
+  if (group.empty()) return {};
+  const auto found = std::ranges::find(project.groups, group, &Group::id);
+  return found != project.groups.end() ? (*found).*member : T{};
+}
+
+template <typename T>
+T resolved(T nearer, const T& farther) {
+  fall_back(nearer, farther);
+  return nearer;
 }
 
 }  // namespace
@@ -38,37 +50,33 @@ std::filesystem::path resolve(const Project& project, const std::filesystem::pat
   return project.file.parent_path() / path;
 }
 
-Influence effective(const Project& project) {
-  Influence result = project.influence;
-  fall_back(result, defaults());
-  return result;
+Pull effective_pull(const Project& project) {
+  return resolved(project.pull, kUsualPull);
 }
 
-Influence effective(const Project& project, const std::string& group) {
-  Influence result;
-  if (!group.empty()) {
-    const auto found = std::ranges::find(project.groups, group, &Group::id);
-    if (found != project.groups.end()) result = found->influence;
-  }
-  fall_back(result, effective(project));
-  return result;
+Pace effective_pace(const Project& project) {
+  return resolved(project.pace, kUsualPace);
 }
 
-Influence effective(const Project& project, const Feature& feature) {
-  Influence result = feature.influence;
-  fall_back(result, effective(project, feature.group));
-  return result;
+Pull effective_pull(const Project& project, const std::string& group) {
+  return resolved(of_group(project, group, &Group::pull), effective_pull(project));
 }
 
-Method method_of(const Project& project) {
-  const bool mesh_alone = project.mesh && project.features.empty();
-  return project.warp.method.value_or(mesh_alone ? Method::kMesh : Method::kLines);
+Pace effective_pace(const Project& project, const std::string& group) {
+  return resolved(of_group(project, group, &Group::pace), effective_pace(project));
+}
+
+Pull effective_pull(const Project& project, const Feature& feature) {
+  return resolved(feature.pull, effective_pull(project, feature.group));
+}
+
+Pace effective_pace(const Project& project, const Feature& feature) {
+  return resolved(feature.pace, effective_pace(project, feature.group));
 }
 
 bool same_document(const Project& a, const Project& b) {
-  return a.source == b.source && a.destination == b.destination && a.features == b.features && a.groups == b.groups &&
-         a.mesh == b.mesh && a.warp == b.warp && a.influence == b.influence && a.blend == b.blend &&
-         a.output == b.output;
+  return a.pictures == b.pictures && a.features == b.features && a.groups == b.groups && a.mesh == b.mesh &&
+         a.warp == b.warp && a.pull == b.pull && a.pace == b.pace && a.blend == b.blend && a.output == b.output;
 }
 
 }  // namespace morphkit::project

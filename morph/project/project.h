@@ -1,8 +1,8 @@
 #pragma once
-// The document: two pictures, what corresponds to what, how the change is timed, and what comes out.
+// The document: pictures, what corresponds to what, how the change is timed, and what comes out.
 // A plain value; the JSON that it is read from and written to is known by morph/project alone (docs/project-file.md).
 
-#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -26,42 +26,71 @@ enum class Between {
   kCentre      ///< centre and length move straight, the angle turns
 };
 
-/// What may be set per project, per group and per feature; the nearest one given wins.
-struct Influence {
+/// Positions, px of the picture that they lie on.
+using Points = std::vector<cv::Point2d>;
+
+/// Index of a picture in Project::pictures; its places in features and meshes have the same index.
+using SideIndex = std::size_t;
+inline constexpr SideIndex kSource = 0, kDestination = 1;
+
+/// How a feature pulls. May be set per project, per group and per feature; the nearest one given wins.
+struct Pull {
   std::optional<double> a, b, p;  ///< warp::LineWeight
   std::optional<warp::LineScale> scale;
   std::optional<Between> between;
   std::optional<double> turns;  ///< whole extra turns on the way, kCentre only; positive is clockwise on screen
-  std::optional<motion::Timing> shape;
-  std::optional<motion::Timing> dissolve;
-  bool operator==(const Influence&) const = default;
+  bool operator==(const Pull&) const = default;
 };
 
-enum class FeatureKind { kLine, kPoint, kCurve };
+/// When a feature or a vertex moves and dissolves. Set and inherited as Pull is.
+struct Pace {
+  std::optional<motion::Timing> shape;
+  std::optional<motion::Timing> dissolve;
+  bool operator==(const Pace&) const = default;
+};
 
-/// One pair of marks. Coordinates are pixels of the image of each side.
+/// Two ends.
+struct Line {
+  bool operator==(const Line&) const = default;
+};
+
+/// One position.
+struct Point {
+  bool operator==(const Point&) const = default;
+};
+
+/// As many points as `kind` needs; a side may have another number of points than its partner.
+struct Curve {
+  motion::CurveKind kind = motion::CurveKind::kCatmullRom;
+  bool closed = false;
+  bool operator==(const Curve&) const = default;
+};
+
+using Mark = std::variant<Line, Point, Curve>;
+
+/// What corresponds to what: one mark on every picture.
 struct Feature {
   std::string id;     ///< unique, not empty
   std::string group;  ///< id of a group, or empty
-  FeatureKind kind = FeatureKind::kLine;
-  std::vector<cv::Point2d> source;       ///< line: 2 points; point: 1; curve: as CurveKind needs
-  std::vector<cv::Point2d> destination;  ///< likewise; a curve may have another number of points than its partner
-  motion::CurveKind curve = motion::CurveKind::kCatmullRom;  ///< kCurve only
-  bool closed = false;                                       ///< kCurve only
-  Influence influence;
+  Mark mark;
+  std::vector<Points> places = std::vector<Points>(2);  ///< one per picture, in the order of the pictures
+  Pull pull;
+  Pace pace;
   bool operator==(const Feature&) const = default;
 };
 
 struct Group {
   std::string id;
-  Influence influence;
+  Pull pull;
+  Pace pace;
   bool operator==(const Group&) const = default;
 };
 
-struct Side {
+struct Picture {
+  std::string id;
   std::filesystem::path image;  ///< as written; relative paths resolve against the project file
   std::string colorspace;       ///< empty: from the file; "srgb" | "linear"
-  bool operator==(const Side&) const = default;
+  bool operator==(const Picture&) const = default;
 };
 
 /// Vertices of the mesh that are timed with a group.
@@ -71,26 +100,39 @@ struct MeshGroup {
   bool operator==(const MeshGroup&) const = default;
 };
 
-/// A grid on both pictures, vertex to vertex, row by row, in pixels of the image of each side.
+/// A grid on every picture, vertex to vertex, row by row, in pixels of the image of each side.
 struct Mesh {
-  int columns = 0, rows = 0;             ///< vertices in a row and in a column, >= 2
-  std::vector<cv::Point2d> source;       ///< columns * rows, or empty: evenly spaced over the picture
-  std::vector<cv::Point2d> destination;  ///< likewise
+  int columns = 0, rows = 0;                              ///< vertices in a row and in a column, >= 2
+  std::vector<Points> vertices = std::vector<Points>(2);  ///< per picture columns * rows; none: evenly spaced over it
   std::vector<MeshGroup> groups;
   bool operator==(const Mesh&) const = default;
 };
 
-enum class Method {
+enum class MethodName {
   kLines,  ///< the features pull (Beier and Neely)
   kMesh    ///< the mesh, in two passes
 };
 
+struct LinesMethod {
+  warp::FieldAccuracy field = warp::FieldAccuracy::kAdaptive;
+  bool operator==(const LinesMethod&) const = default;
+};
+
+struct MeshMethod {
+  warp::MeshSpline spline = warp::MeshSpline::kMonotone;
+  warp::PassOrder order = warp::PassOrder::kAuto;
+  bool operator==(const MeshMethod&) const = default;
+};
+
+/// How space is bent, with the settings of that method alone: what renders sees this, not Warp.
+using Method = std::variant<LinesMethod, MeshMethod>;
+
+/// What the document says, for every method: also what the present one does not use (see unused_settings).
 struct Warp {
-  std::optional<Method> method;                                ///< nothing: see method_of
-  warp::MeshSpline spline = warp::MeshSpline::kMonotone;       ///< kMesh only
-  warp::PassOrder order = warp::PassOrder::kAuto;              ///< kMesh only
-  warp::FieldAccuracy field = warp::FieldAccuracy::kAdaptive;  ///< kLines only
-  warp::Filter filter = warp::Filter::kArea;
+  std::optional<MethodName> method;  ///< nothing: see method_name_of
+  LinesMethod lines;
+  MeshMethod mesh;
+  warp::Filter filter = warp::Filter::kArea;  ///< not used by a mesh, whose passes average what they cover
   /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
   std::optional<warp::Border> border;
   bool operator==(const Warp&) const = default;
@@ -132,15 +174,16 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
-/// The whole document. Defaults of `influence` at the end of the chain: a = 1, b = 2, p = 0, along, endpoints,
-/// 0 turns, linear shape and dissolve.
+/// The whole document. Defaults at the end of the chain: a = 1, b = 2, p = 0, along, endpoints, 0 turns; linear shape
+/// and dissolve.
 struct Project {
-  Side source, destination;
+  std::vector<Picture> pictures{{"source", {}, {}}, {"destination", {}, {}}};
   std::vector<Feature> features;
   std::vector<Group> groups;
   std::optional<Mesh> mesh;
   Warp warp;
-  Influence influence;  ///< "warp" (a, b, p, scale, between, turns) and "transition" (shape, dissolve) of the project
+  Pull pull;  ///< "warp" (a, b, p, scale, between, turns) of the project
+  Pace pace;  ///< "transition" (shape, dissolve)
   Blend blend = Blend::kLinear;
   Output output;
 
@@ -154,20 +197,28 @@ struct Project {
 bool same_document(const Project& a, const Project& b);
 
 /// How the project warps: as it says; if it says nothing, by its mesh if it has a mesh and no features, else by lines.
+MethodName method_name_of(const Project& project);
+
+/// That method with its settings.
 Method method_of(const Project& project);
+
+/// A sentence for each setting of the document that its method does not use, in the order of the document.
+std::vector<std::string> unused_settings(const Project& project);
 
 /// A path of the document (an image) as seen from the current directory.
 std::filesystem::path resolve(const Project& project, const std::filesystem::path& path);
 
-/// Everything that applies to `feature`, resolved through its group and the project to the defaults: no member is
-/// empty.
-Influence effective(const Project& project, const Feature& feature);
+/// What applies to `feature`, resolved through its group and the project to the defaults: no member is empty.
+Pull effective_pull(const Project& project, const Feature& feature);
+Pace effective_pace(const Project& project, const Feature& feature);
 
-/// Everything that applies to what is in the group `id` (empty: in none), resolved likewise.
-Influence effective(const Project& project, const std::string& group);
+/// What applies to members of the group `id` (empty: of none), resolved likewise.
+Pull effective_pull(const Project& project, const std::string& group);
+Pace effective_pace(const Project& project, const std::string& group);
 
 /// Of the project itself, resolved to the defaults.
-Influence effective(const Project& project);
+Pull effective_pull(const Project& project);
+Pace effective_pace(const Project& project);
 
 /// Reads and validates a project.
 /// @throws Error kIo if it cannot be read, kBadInput naming file and JSON pointer (syntax errors: line and column)

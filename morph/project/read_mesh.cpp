@@ -83,8 +83,8 @@ Mesh read_mesh(const json::Cursor& at, const std::vector<Group>& groups) {
   at.allow_keys({"size", "source", "destination", "groups"});
   Mesh mesh;
   read_size(at.require("size", "the number of vertices, [columns, rows]"), mesh);
-  if (const auto source = at.find("source")) mesh.source = read_vertices(*source, mesh);
-  if (const auto destination = at.find("destination")) mesh.destination = read_vertices(*destination, mesh);
+  if (const auto source = at.find("source")) mesh.vertices[kSource] = read_vertices(*source, mesh);
+  if (const auto destination = at.find("destination")) mesh.vertices[kDestination] = read_vertices(*destination, mesh);
   if (const auto list = at.find("groups")) mesh.groups = read_groups(*list, mesh, groups);
   return mesh;
 }

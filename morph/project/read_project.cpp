@@ -14,7 +14,6 @@ namespace morphkit::project {
 namespace {
 
 using json::Kind;
-using Points = std::vector<cv::Point2d>;
 
 void read_number(const json::Cursor& at, std::string_view key, double least, double most,
                  std::optional<double>& value) {
@@ -22,76 +21,79 @@ void read_number(const json::Cursor& at, std::string_view key, double least, dou
 }
 
 /// The keys of "warp" that groups and features share with the project.
-void read_warp_influence(const json::Cursor& at, Influence& influence) {
-  read_number(at, "a", 0, kMaxCoordinate, influence.a);
-  read_number(at, "b", 0, kMaxFalloff, influence.b);
-  read_number(at, "p", 0, 1, influence.p);
-  if (const auto scale = at.find("scale")) influence.scale = choose(*scale, "scale", kScales);
-  if (const auto between = at.find("between")) influence.between = choose(*between, "way between", kBetweens);
-  if (const auto turns = at.find("turns")) influence.turns = turns->integer(-kMaxTurns, kMaxTurns);
+void read_pull(const json::Cursor& at, Pull& pull) {
+  read_number(at, "a", 0, kMaxCoordinate, pull.a);
+  read_number(at, "b", 0, kMaxFalloff, pull.b);
+  read_number(at, "p", 0, 1, pull.p);
+  if (const auto scale = at.find("scale")) pull.scale = choose(*scale, "scale", kScales);
+  if (const auto between = at.find("between")) pull.between = choose(*between, "way between", kBetweens);
+  if (const auto turns = at.find("turns")) pull.turns = turns->integer(-kMaxTurns, kMaxTurns);
 }
 
-void read_transition_influence(const json::Cursor& at, Influence& influence) {
-  if (const auto shape = at.find("shape")) influence.shape = read_timing(*shape);
-  if (const auto dissolve = at.find("dissolve")) influence.dissolve = read_timing(*dissolve);
+void read_pace(const json::Cursor& at, Pace& pace) {
+  if (const auto shape = at.find("shape")) pace.shape = read_timing(*shape);
+  if (const auto dissolve = at.find("dissolve")) pace.dissolve = read_timing(*dissolve);
 }
 
 /// "warp" and "transition" of a group or a feature.
-Influence read_influence(const json::Cursor& at) {
-  Influence influence;
+template <typename T>
+void read_influence(const json::Cursor& at, T& owner) {
   if (const auto warp = at.find("warp")) {
     warp->allow_keys({"a", "b", "p", "scale", "between", "turns"});
-    read_warp_influence(*warp, influence);
+    read_pull(*warp, owner.pull);
   }
   if (const auto transition = at.find("transition")) {
     transition->allow_keys({"shape", "dissolve"});
-    read_transition_influence(*transition, influence);
+    read_pace(*transition, owner.pace);
   }
-  return influence;
 }
 
 constexpr const char* kBothSides = "a feature needs its place on both sides";
 
+/// The place on both sides. @param read  from the cursor of one side.
+template <typename Read>
+void read_places(const json::Cursor& at, Feature& feature, const Read& read) {
+  feature.places[kSource] = read(at.require("source", kBothSides));
+  feature.places[kDestination] = read(at.require("destination", kBothSides));
+}
+
+/// Refuses a mark whose first and last point coincide on one side only.
+void require_joined_alike(const json::Cursor& at, const Feature& feature, const char* message) {
+  const auto joined = [&](SideIndex side) { return feature.places[side].front() == feature.places[side].back(); };
+  if (joined(kSource) == joined(kDestination)) return;
+  at.require(joined(kSource) ? "source" : "destination", kBothSides).fail(message);
+}
+
 void read_line(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination"});
-  feature.kind = FeatureKind::kLine;
-  const auto ends = [&](const char* key) {
-    return read_points(at.require(key, kBothSides), 2, 2, "the two ends of a line [[x, y], [x, y]]");
-  };
-  feature.source = ends("source");
-  feature.destination = ends("destination");
-  const bool source_is_point = feature.source[0] == feature.source[1];
-  if (source_is_point != (feature.destination[0] == feature.destination[1])) {
-    at.require(source_is_point ? "source" : "destination", kBothSides)
-        .fail("both ends lie at the same place on this side only; move one of them, or make it a \"point\"");
-  }
+  feature.mark = Line{};
+  read_places(at, feature, [](const json::Cursor& side) {
+    return read_points(side, 2, 2, "the two ends of a line [[x, y], [x, y]]");
+  });
+  require_joined_alike(at, feature,
+                       "both ends lie at the same place on this side only; move one of them, or make it a \"point\"");
 }
 
 void read_point_feature(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination"});
-  feature.kind = FeatureKind::kPoint;
-  feature.source = {read_point(at.require("source", kBothSides))};
-  feature.destination = {read_point(at.require("destination", kBothSides))};
+  feature.mark = Point{};
+  read_places(at, feature, [](const json::Cursor& side) { return Points{read_point(side)}; });
 }
 
 void read_curve(const json::Cursor& at, Feature& feature) {
   at.allow_keys({"source", "destination", "spline", "closed"});
-  feature.kind = FeatureKind::kCurve;
-  if (const auto spline = at.find("spline")) feature.curve = choose(*spline, "spline", kCurves);
-  if (const auto closed = at.find("closed")) feature.closed = closed->boolean();
-  const auto side = [&](const char* key) {
-    const json::Cursor points_at = at.require(key, kBothSides);
-    Points points = read_points(points_at, 2, kMaxPoints, fmt::format("2 to {} points [[x, y], ...]", kMaxPoints));
-    if (const auto problem = motion::Curve::problem(feature.curve, points, feature.closed)) points_at.fail(*problem);
+  Curve curve;
+  if (const auto spline = at.find("spline")) curve.kind = choose(*spline, "spline", kCurves);
+  if (const auto closed = at.find("closed")) curve.closed = closed->boolean();
+  feature.mark = curve;
+  read_places(at, feature, [&](const json::Cursor& side) {
+    Points points = read_points(side, 2, kMaxPoints, fmt::format("2 to {} points [[x, y], ...]", kMaxPoints));
+    if (const auto problem = motion::Curve::problem(curve.kind, points, curve.closed)) side.fail(*problem);
     return points;
-  };
-  feature.source = side("source");
-  feature.destination = side("destination");
-  const auto joined = [](const Points& points) { return points.front() == points.back(); };
-  if (!feature.closed && joined(feature.source) != joined(feature.destination)) {
-    at.require(joined(feature.source) ? "source" : "destination", kBothSides)
-        .fail("the curve ends where it starts on this side only; let both sides do so, or neither");
-  }
+  });
+  if (curve.closed) return;
+  require_joined_alike(at, feature,
+                       "the curve ends where it starts on this side only; let both sides do so, or neither");
 }
 
 Feature read_feature(const json::Cursor& at) {
@@ -106,13 +108,16 @@ Feature read_feature(const json::Cursor& at) {
   if (line) read_line(*line, feature);
   if (point) read_point_feature(*point, feature);
   if (curve) read_curve(*curve, feature);
-  feature.influence = read_influence(at);
+  read_influence(at, feature);
   return feature;
 }
 
 Group read_group(const json::Cursor& at) {
   at.allow_keys({"id", "warp", "transition"});
-  return {at.require("id", "give the group a name of its own").name("an id"), read_influence(at)};
+  Group group;
+  group.id = at.require("id", "give the group a name of its own").name("an id");
+  read_influence(at, group);
+  return group;
 }
 
 /// Reads an array of things that have ids of their own.
@@ -142,24 +147,25 @@ void check_groups(const json::Cursor& root, const std::vector<Feature>& features
   }
 }
 
-Side read_side(const json::Cursor& at) {
+Picture read_picture(const json::Cursor& at, const char* id) {
   at.allow_keys({"image", "colorspace"});
   static constexpr std::pair<std::string_view, std::string_view> kSpaces[] = {{"srgb", "srgb"}, {"linear", "linear"}};
-  Side side;
-  side.image = at.require("image", "name a picture, e.g. {\"image\": \"cat.png\"}").name("the path of an image");
-  if (const auto space = at.find("colorspace")) side.colorspace = choose(*space, "colour space", kSpaces);
-  return side;
+  Picture picture;
+  picture.id = id;
+  picture.image = at.require("image", "name a picture, e.g. {\"image\": \"cat.png\"}").name("the path of an image");
+  if (const auto space = at.find("colorspace")) picture.colorspace = choose(*space, "colour space", kSpaces);
+  return picture;
 }
 
 void read_warp(const json::Cursor& at, Project& project) {
   at.allow_keys({"method", "spline", "order", "a", "b", "p", "scale", "between", "turns", "field", "filter", "border"});
   if (const auto method = at.find("method")) project.warp.method = choose(*method, "method", kMethods);
-  if (const auto spline = at.find("spline")) project.warp.spline = choose(*spline, "spline", kMeshSplines);
-  if (const auto order = at.find("order")) project.warp.order = choose(*order, "order", kPassOrders);
-  if (const auto field = at.find("field")) project.warp.field = choose(*field, "field", kFields);
+  if (const auto spline = at.find("spline")) project.warp.mesh.spline = choose(*spline, "spline", kMeshSplines);
+  if (const auto order = at.find("order")) project.warp.mesh.order = choose(*order, "order", kPassOrders);
+  if (const auto field = at.find("field")) project.warp.lines.field = choose(*field, "field", kFields);
   if (const auto filter = at.find("filter")) project.warp.filter = choose(*filter, "filter", kFilters);
   if (const auto border = at.find("border")) project.warp.border = choose(*border, "border", kBorders);
-  read_warp_influence(at, project.influence);
+  read_pull(at, project.pull);
 }
 
 /// What warp and mesh must agree on.
@@ -170,7 +176,7 @@ void check_method(const json::Cursor& root, const Project& project) {
     const auto setting = warp ? warp->find(key) : std::nullopt;
     return setting ? *setting : root;
   };
-  if (method_of(project) != Method::kMesh) return;
+  if (method_name_of(project) != MethodName::kMesh) return;
   if (!project.mesh) {
     place("method").fail(
         R"(the method "mesh" needs a mesh; add "mesh": {"size": [columns, rows], "source": ..., "destination": ...})");
@@ -182,7 +188,7 @@ void check_method(const json::Cursor& root, const Project& project) {
 
 void read_transition(const json::Cursor& at, Project& project) {
   at.allow_keys({"shape", "dissolve", "blend"});
-  read_transition_influence(at, project.influence);
+  read_pace(at, project.pace);
   if (const auto blend = at.find("blend")) project.blend = choose(*blend, "blend", kBlends);
 }
 
@@ -225,8 +231,9 @@ Project read_project(const json::Document& document) {
   const json::Cursor root(document);
   check_version(root);
   Project project;
-  project.source = read_side(root.require("source", "the picture to start from, {\"image\": \"cat.png\"}"));
-  project.destination = read_side(root.require("destination", "the picture to arrive at, {\"image\": \"tiger.png\"}"));
+  project.pictures = {
+      read_picture(root.require("source", "the picture to start from, {\"image\": \"cat.png\"}"), "source"),
+      read_picture(root.require("destination", "the picture to arrive at, {\"image\": \"tiger.png\"}"), "destination")};
   project.groups = read_list(root, "groups", read_group);
   project.features = read_list(root, "features", read_feature);
   check_groups(root, project.features, project.groups);
@@ -246,7 +253,7 @@ void read_features_over(Project& project, const json::Document& document) {
   }
   // What is not taken over is checked all the same: a file is good or bad whatever it is used for.
   for (const char* side : {"source", "destination"}) {
-    if (const auto at = root.find(side)) read_side(*at);
+    if (const auto at = root.find(side)) read_picture(*at, side);
   }
   if (const auto output = root.find("output")) read_output(*output);
   Project result = project;

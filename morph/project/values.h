@@ -11,7 +11,8 @@
 
 namespace morphkit::project {
 
-inline constexpr std::pair<std::string_view, Method> kMethods[] = {{"lines", Method::kLines}, {"mesh", Method::kMesh}};
+inline constexpr std::pair<std::string_view, MethodName> kMethods[] = {{"lines", MethodName::kLines},
+                                                                       {"mesh", MethodName::kMesh}};
 inline constexpr std::pair<std::string_view, warp::MeshSpline> kMeshSplines[] = {
     {"monotone", warp::MeshSpline::kMonotone},
     {"catmull-rom", warp::MeshSpline::kCatmullRom},

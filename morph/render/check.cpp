@@ -14,7 +14,7 @@ namespace {
 
 /// What lies nearest to the worst fold, put into the finding and named for the message.
 std::string name_nearest(const Renderer& renderer, Finding& fold) {
-  if (project::method_of(renderer.project()) == project::Method::kMesh) {
+  if (project::method_name_of(renderer.project()) == project::MethodName::kMesh) {
     fold.vertices = {nearest_vertex(renderer, fold.position, fold.t)};
     return fmt::format(" near the vertex in column {}, row {}", fold.vertices[0].x, fold.vertices[0].y);
   }
@@ -22,7 +22,7 @@ std::string name_nearest(const Renderer& renderer, Finding& fold) {
   return fold.features.empty() ? "" : fmt::format(" near \"{}\"", fmt::join(fold.features, "\", \""));
 }
 
-void find_map_folds(const Renderer& renderer, SideName side, std::vector<Finding>& findings) {
+void find_map_folds(const Renderer& renderer, SideIndex side, std::vector<Finding>& findings) {
   Finding worst;
   worst.kind = Finding::Kind::kFold;
   worst.where = name_of(side);
@@ -55,15 +55,15 @@ const char* name_of(Finding::Kind kind) {
 
 std::vector<Finding> check(const Renderer& renderer) {
   std::vector<Finding> findings;
-  const bool by_mesh = project::method_of(renderer.project()) == project::Method::kMesh;
+  const bool by_mesh = project::method_name_of(renderer.project()) == project::MethodName::kMesh;
   if (by_mesh)
     check_mesh(renderer, findings);
   else
     check_lines(renderer, findings);
   // Two passes along curves that keep their order fold nowhere: there the vertices say all.
-  if (by_mesh && renderer.project().warp.spline != warp::MeshSpline::kCatmullRom) return findings;
-  find_map_folds(renderer, SideName::kSource, findings);
-  find_map_folds(renderer, SideName::kDestination, findings);
+  if (by_mesh && renderer.project().warp.mesh.spline != warp::MeshSpline::kCatmullRom) return findings;
+  find_map_folds(renderer, kSource, findings);
+  find_map_folds(renderer, kDestination, findings);
   return findings;
 }
 

@@ -36,13 +36,13 @@ warp::Line between_centres(const LinePair& pair, double s, double turns) {
   return {centre - arm, centre + arm};
 }
 
-void append_curve(const project::Feature& feature, const Placement& source, const Placement& destination,
-                  const LinePair& prototype, double unit, std::vector<LinePair>& pairs) {
-  const motion::Curve from(feature.curve, on_canvas(feature.source, source), feature.closed);
-  const motion::Curve to(feature.curve, on_canvas(feature.destination, destination), feature.closed);
+void append_curve(const project::Feature& feature, const project::Curve& curve, const Placement& source,
+                  const Placement& destination, const LinePair& prototype, double unit, std::vector<LinePair>& pairs) {
+  const motion::Curve from(curve.kind, on_canvas(feature.places[project::kSource], source), curve.closed);
+  const motion::Curve to(curve.kind, on_canvas(feature.places[project::kDestination], destination), curve.closed);
   const double tolerance = kChordTolerancePx / unit;
   const int chords = std::max({motion::chords_needed(from, tolerance, kMaxChords),
-                               motion::chords_needed(to, tolerance, kMaxChords), feature.closed ? 3 : 1});
+                               motion::chords_needed(to, tolerance, kMaxChords), curve.closed ? 3 : 1});
   const std::vector<cv::Point2d> a = motion::equal_arc_points(from, chords);
   const std::vector<cv::Point2d> b = motion::equal_arc_points(to, chords);
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
@@ -61,14 +61,15 @@ std::vector<LinePair> line_pairs(const project::Project& project, const Placemen
   for (std::size_t i = 0; i < project.features.size(); ++i) {
     const project::Feature& feature = project.features[i];
     LinePair pair;
-    pair.influence = project::effective(project, feature);
+    pair.pull = project::effective_pull(project, feature);
+    pair.pace = project::effective_pace(project, feature);
     pair.feature = static_cast<int>(i);
-    if (feature.kind == project::FeatureKind::kCurve) {
-      append_curve(feature, source, destination, pair, unit, pairs);
+    if (const auto* curve = std::get_if<project::Curve>(&feature.mark)) {
+      append_curve(feature, *curve, source, destination, pair, unit, pairs);
       continue;
     }
-    const std::vector<cv::Point2d> a = on_canvas(feature.source, source);
-    const std::vector<cv::Point2d> b = on_canvas(feature.destination, destination);
+    const std::vector<cv::Point2d> a = on_canvas(feature.places[project::kSource], source);
+    const std::vector<cv::Point2d> b = on_canvas(feature.places[project::kDestination], destination);
     pair.source = {a.front(), a.back()};
     pair.destination = {b.front(), b.back()};
     pairs.push_back(std::move(pair));
@@ -80,8 +81,8 @@ warp::Line between(const LinePair& pair, double s) {
   if (s == 0) return pair.source;
   if (s == 1) return pair.destination;
   const bool unchanged = pair.source.p == pair.destination.p && pair.source.q == pair.destination.q;
-  const double turns = pair.influence.turns.value_or(0);
-  if (*pair.influence.between == project::Between::kCentre && !(unchanged && turns == 0))
+  const double turns = pair.pull.turns.value_or(0);
+  if (*pair.pull.between == project::Between::kCentre && !(unchanged && turns == 0))
     return between_centres(pair, s, turns);
   return {lerp(pair.source.p, pair.destination.p, s), lerp(pair.source.q, pair.destination.q, s)};
 }
@@ -90,13 +91,12 @@ std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, dou
   std::vector<warp::FieldLine> lines;
   lines.reserve(pairs.size());
   for (const LinePair& pair : pairs) {
-    const project::Influence& influence = pair.influence;
     warp::FieldLine line;
-    line.output = between(pair, motion::progress(*influence.shape, t));
+    line.output = between(pair, motion::progress(*pair.pace.shape, t));
     line.targets = {pair.source, pair.destination};
-    line.weight = {*influence.a, *influence.b, *influence.p, unit};
-    line.scale = *influence.scale;
-    line.value = std::clamp(motion::progress(*influence.dissolve, t), 0.0, 1.0);
+    line.weight = {*pair.pull.a, *pair.pull.b, *pair.pull.p, unit};
+    line.scale = *pair.pull.scale;
+    line.value = std::clamp(motion::progress(*pair.pace.dissolve, t), 0.0, 1.0);
     lines.push_back(std::move(line));
   }
   return lines;

@@ -14,7 +14,8 @@ namespace morphkit::render {
 /// these.
 struct LinePair {
   warp::Line source, destination;  ///< canvas px
-  project::Influence influence;    ///< no member empty
+  project::Pull pull;              ///< no member empty
+  project::Pace pace;              ///< likewise
   int feature = -1;                ///< index into Project::features
 };
 

@@ -100,9 +100,9 @@ class LineChecker {
   void find_crossings() {
     const auto source = [](const LinePair& pair) { return pair.source; };
     const auto destination = [](const LinePair& pair) { return pair.destination; };
-    const auto half = [](const LinePair& pair) { return between(pair, motion::progress(*pair.influence.shape, 0.5)); };
-    const Placement& on_source = renderer_.placement(SideName::kSource);
-    const Placement& on_destination = renderer_.placement(SideName::kDestination);
+    const auto half = [](const LinePair& pair) { return between(pair, motion::progress(*pair.pace.shape, 0.5)); };
+    const Placement& on_source = renderer_.placement(kSource);
+    const Placement& on_destination = renderer_.placement(kDestination);
     std::set<std::pair<int, int>> known;  // a pair that crosses on a side also does in between: said once
     find_crossings_of(
         source, "source", 0, [&](cv::Point2d x) { return on_source.to_image(x); }, known);
@@ -147,7 +147,7 @@ class LineChecker {
         const bool in_source = are_twins(a.source, a.destination, b.source, b.destination);
         if (!in_source && !are_twins(a.destination, a.source, b.destination, b.source)) continue;
         if (!said.insert({a.feature, b.feature}).second) continue;
-        const SideName side = in_source ? SideName::kSource : SideName::kDestination;
+        const SideIndex side = in_source ? kSource : kDestination;
         const warp::Line& line = in_source ? a.source : a.destination;
         const std::string where = in_source ? "source" : "destination";
         const cv::Point2d at = renderer_.placement(side).to_image((line.p + line.q) / 2.0);
@@ -161,9 +161,8 @@ class LineChecker {
 
   void find_outside() {
     for (const project::Feature& feature : features_) {
-      const bool source_cropped = find_outside(feature, SideName::kSource, feature.source, "source");
-      const bool destination_cropped =
-          find_outside(feature, SideName::kDestination, feature.destination, "destination");
+      const bool source_cropped = find_outside(feature, kSource, feature.places[kSource], "source");
+      const bool destination_cropped = find_outside(feature, kDestination, feature.places[kDestination], "destination");
       if (source_cropped && destination_cropped)
         add({Finding::Kind::kOutsideCanvas, false, "in between", {feature.id}, {}, {}, 0, 0, 0, 0, {}},
             fmt::format("\"{}\" lies outside the canvas on both sides: the output's size and fit crop it", feature.id));
@@ -171,7 +170,7 @@ class LineChecker {
   }
 
   /// Reports the first point outside the picture. @return whether all points are off the canvas.
-  bool find_outside(const project::Feature& feature, SideName side, const std::vector<cv::Point2d>& points,
+  bool find_outside(const project::Feature& feature, SideIndex side, const std::vector<cv::Point2d>& points,
                     const char* where) {
     const cv::Rect2d picture({0, 0}, cv::Size2d(renderer_.picture_size(side)));
     const cv::Rect2d canvas({0, 0}, cv::Size2d(renderer_.size()));
@@ -205,8 +204,7 @@ std::vector<std::string> nearest_features(const Renderer& renderer, cv::Point2d 
   std::vector<std::pair<double, int>> distances;
   for (const LinePair& pair :
        line_pairs(renderer.project(), renderer.stage().source.file, renderer.stage().destination.file))
-    distances.emplace_back(distance_to(between(pair, motion::progress(*pair.influence.shape, t)), position),
-                           pair.feature);
+    distances.emplace_back(distance_to(between(pair, motion::progress(*pair.pace.shape, t)), position), pair.feature);
   std::sort(distances.begin(), distances.end());
   std::vector<std::string> ids;
   for (const auto& [distance, feature] : distances) {

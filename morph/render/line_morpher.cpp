@@ -34,9 +34,9 @@ LineMorpher::LineMorpher(const project::Project& project, const Stage& stage)
     : project_(project),
       stage_(stage),
       pairs_(line_pairs(project, stage.source.file, stage.destination.file, stage.unit)) {
-  const motion::Timing whole = *project::effective(project_).dissolve;
-  local_dissolve_ = std::any_of(pairs_.begin(), pairs_.end(),
-                                [&](const LinePair& pair) { return *pair.influence.dissolve != whole; });
+  const motion::Timing whole = *project::effective_pace(project_).dissolve;
+  local_dissolve_ =
+      std::any_of(pairs_.begin(), pairs_.end(), [&](const LinePair& pair) { return *pair.pace.dissolve != whole; });
 }
 
 std::string LineMorpher::description() const {
@@ -49,24 +49,22 @@ std::string LineMorpher::description() const {
 }
 
 std::pair<double, double> LineMorpher::dissolve_range(double t) const {
-  const auto at = [&](const project::Influence& influence) {
-    return std::clamp(motion::progress(*influence.dissolve, t), 0.0, 1.0);
-  };
+  const auto at = [&](const project::Pace& pace) { return std::clamp(motion::progress(*pace.dissolve, t), 0.0, 1.0); };
   if (!local_dissolve_) {
-    const double whole = at(project::effective(project_));
+    const double whole = at(project::effective_pace(project_));
     return {whole, whole};
   }
   std::pair<double, double> range{1, 0};
   for (const LinePair& pair : pairs_) {
-    const double value = at(pair.influence);
+    const double value = at(pair.pace);
     range = {std::min(range.first, value), std::max(range.second, value)};
   }
   return range;
 }
 
-bool LineMorpher::shows(SideName side, double t) const {
+bool LineMorpher::shows(SideIndex side, double t) const {
   const auto [least, most] = dissolve_range(t);
-  return side == SideName::kSource ? least < 1 : most > 0;
+  return side == kSource ? least < 1 : most > 0;
 }
 
 warp::Image LineMorpher::frame(double t) const {
@@ -104,7 +102,7 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
   if (moment.local_dissolve) scratch.dissolve.create(out.size());
 
   std::array positions{scratch.source, scratch.destination};
-  moment.field.evaluate({0, top, out.cols, out.rows}, project_.warp.field, positions,
+  moment.field.evaluate({0, top, out.cols, out.rows}, project_.warp.lines.field, positions,
                         moment.local_dissolve ? &scratch.dissolve : nullptr);
   if (!moment.needs_source) return sample_side(stage_.destination, scratch.destination, out);
   sample_side(stage_.source, scratch.source, out);
@@ -118,7 +116,7 @@ void LineMorpher::render_band(const Moment& moment, int top, warp::Image& out) c
   }
 }
 
-warp::Map LineMorpher::map(double t, SideName side_name) const {
+warp::Map LineMorpher::map(double t, SideIndex side_name) const {
   const warp::LineField field(field_lines(pairs_, t, stage_.unit), 2);
   warp::Map map(stage_.size);
   for_rows(
@@ -126,9 +124,9 @@ warp::Map LineMorpher::map(double t, SideName side_name) const {
       [&](int begin, int end) {
         warp::Map wanted = map.rowRange(begin, end);
         const warp::Map rest(wanted.size());
-        const bool first = side_name == SideName::kSource;
+        const bool first = side_name == kSource;
         std::array positions{first ? wanted : rest, first ? rest : wanted};
-        field.evaluate({0, begin, map.cols, end - begin}, project_.warp.field, positions);
+        field.evaluate({0, begin, map.cols, end - begin}, project_.warp.lines.field, positions);
         for (int y = 0; y < wanted.rows; ++y)
           to_image(stage_.side(side_name).file, {wanted[y], static_cast<std::size_t>(wanted.cols)});
       },

@@ -15,8 +15,8 @@ class LineMorpher : public Morpher {
 
   void require(double) const override {}
   warp::Image frame(double t) const override;
-  bool shows(SideName side, double t) const override;
-  warp::Map map(double t, SideName side) const override;
+  bool shows(SideIndex side, double t) const override;
+  warp::Map map(double t, SideIndex side) const override;
   std::size_t scratch_bytes() const override { return 0; }
   std::string description() const override;
 

@@ -46,7 +46,7 @@ void find_mesh_folds(const MeshPair& pair, std::vector<Finding>& findings) {
   if (!worst.empty()) findings.push_back(fold_finding(between(pair, worst_t), worst, "in between", worst_t));
 }
 
-void find_bottleneck(const project::Project& project, const MeshPair& pair, SideName side,
+void find_bottleneck(const project::Project& project, const MeshPair& pair, SideIndex side,
                      std::vector<Finding>& findings) {
   const MeshPasses passes = choose_passes(project, pair, side);
   if (passes.folds == 0 && passes.area_lost < kVisibleLoss) return;
@@ -70,8 +70,8 @@ void find_bottleneck(const project::Project& project, const MeshPair& pair, Side
 void check_mesh(const Renderer& renderer, std::vector<Finding>& findings) {
   const MeshPair pair = mesh_pair(renderer.project(), renderer.stage());
   find_mesh_folds(pair, findings);
-  find_bottleneck(renderer.project(), pair, SideName::kSource, findings);
-  find_bottleneck(renderer.project(), pair, SideName::kDestination, findings);
+  find_bottleneck(renderer.project(), pair, kSource, findings);
+  find_bottleneck(renderer.project(), pair, kDestination, findings);
 }
 
 cv::Point nearest_vertex(const Renderer& renderer, cv::Point2d position, double t) {

@@ -22,9 +22,8 @@ warp::Mesh on_canvas(warp::Mesh mesh, const Placement& placement) {
 
 }  // namespace
 
-warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size picture) {
-  const bool is_source = side == SideName::kSource;
-  const std::vector<cv::Point2d>& vertices = is_source ? project.mesh->source : project.mesh->destination;
+warp::Mesh mesh_on(const project::Project& project, SideIndex side, cv::Size picture) {
+  const std::vector<cv::Point2d>& vertices = project.mesh->vertices[side];
   const int columns = project.mesh->columns, rows = project.mesh->rows;
   const cv::Rect2d border({0, 0}, cv::Size2d(picture));
   if (vertices.empty()) return warp::uniform_mesh(columns, rows, border);
@@ -32,8 +31,7 @@ warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size pict
   if (const auto off = warp::off_outline(mesh, border, kOutlineTolerancePx)) {
     const cv::Point2d at = mesh.at(off->column, off->row);
     throw Error(ErrorCode::kBadInput,
-                fmt::format("{}: /mesh/{}/{}", project.file.string(), is_source ? "source" : "destination",
-                            mesh.index(off->column, off->row)),
+                fmt::format("{}: /mesh/{}/{}", project.file.string(), name_of(side), mesh.index(off->column, off->row)),
                 fmt::format("the vertex in column {}, row {} is at ({:g}, {:g}) but belongs to the border of the "
                             "picture, which is {}x{}: border vertices lie on the border, corners at the corners",
                             off->column, off->row, at.x, at.y, picture.width, picture.height));
@@ -53,19 +51,19 @@ warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
 MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
   const project::Mesh& mesh = *project.mesh;
   MeshPair pair;
-  pair.source_file = mesh_on(project, SideName::kSource, stage.source.file_size);
-  pair.destination_file = mesh_on(project, SideName::kDestination, stage.destination.file_size);
+  pair.source_file = mesh_on(project, kSource, stage.source.file_size);
+  pair.destination_file = mesh_on(project, kDestination, stage.destination.file_size);
   pair.source_held = brought_to(pair.source_file, stage.source.file_size, stage.source.image.size());
   pair.destination_held =
       brought_to(pair.destination_file, stage.destination.file_size, stage.destination.image.size());
   pair.source_canvas = on_canvas(pair.source_file, stage.source.file);
   pair.destination_canvas = on_canvas(pair.destination_file, stage.destination.file);
-  pair.timings.push_back(project::effective(project));
+  pair.timings.push_back(project::effective_pace(project));
   pair.timing.assign(pair.source_file.vertices.size(), 0);
   for (const project::MeshGroup& group : mesh.groups) {
     for (const cv::Point& vertex : group.vertices)
       pair.timing[pair.source_file.index(vertex.x, vertex.y)] = pair.timings.size();
-    pair.timings.push_back(project::effective(project, group.group));
+    pair.timings.push_back(project::effective_pace(project, group.group));
   }
   return pair;
 }
@@ -73,7 +71,7 @@ MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
 warp::Mesh between(const MeshPair& pair, double t) {
   std::vector<double> progress;
   progress.reserve(pair.timings.size());
-  for (const project::Influence& influence : pair.timings) progress.push_back(motion::progress(*influence.shape, t));
+  for (const project::Pace& pace : pair.timings) progress.push_back(motion::progress(*pace.shape, t));
   warp::Mesh mesh = pair.source_canvas;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
     mesh.vertices[i] =
@@ -87,18 +85,18 @@ warp::Mesh between(const MeshPair& pair, double t) {
 std::vector<double> dissolves(const MeshPair& pair, double t) {
   std::vector<double> progress;
   progress.reserve(pair.timings.size());
-  for (const project::Influence& influence : pair.timings)
-    progress.push_back(std::clamp(motion::progress(*influence.dissolve, t), 0.0, 1.0));
+  for (const project::Pace& pace : pair.timings)
+    progress.push_back(std::clamp(motion::progress(*pace.dissolve, t), 0.0, 1.0));
   std::vector<double> values;
   values.reserve(pair.timing.size());
   for (const std::size_t timing : pair.timing) values.push_back(progress[timing]);
   return values;
 }
 
-bool shows(const MeshPair& pair, SideName side, double t) {
+bool shows(const MeshPair& pair, SideIndex side, double t) {
   const std::vector<double> progress = dissolves(pair, t);
   return std::any_of(progress.begin(), progress.end(),
-                     [&](double alpha) { return side == SideName::kSource ? alpha < 1 : alpha > 0; });
+                     [&](double alpha) { return side == kSource ? alpha < 1 : alpha > 0; });
 }
 
 }  // namespace morphkit::render

@@ -14,11 +14,11 @@ struct MeshPair {
   warp::Mesh source_file, destination_file;      ///< px of the image files
   warp::Mesh source_held, destination_held;      ///< px of the pictures as the stage holds them
   warp::Mesh source_canvas, destination_canvas;  ///< canvas px
-  std::vector<project::Influence> timings;       ///< of the project, then of groups; no member empty
+  std::vector<project::Pace> timings;            ///< of the project, then of groups; no member empty
   std::vector<std::size_t> timing;               ///< per vertex: index into timings
 
-  const warp::Mesh& file(SideName side) const { return side == SideName::kSource ? source_file : destination_file; }
-  const warp::Mesh& held(SideName side) const { return side == SideName::kSource ? source_held : destination_held; }
+  const warp::Mesh& file(SideIndex side) const { return side == kSource ? source_file : destination_file; }
+  const warp::Mesh& held(SideIndex side) const { return side == kSource ? source_held : destination_held; }
 };
 
 /// How far a border vertex may be from its border, px: what rounding in other tools' files amounts to.
@@ -28,7 +28,7 @@ inline constexpr double kOutlineTolerancePx = 0.5;
 /// @param picture  size of that picture, px.
 /// @pre the project has a mesh.
 /// @throws Error kBadInput naming the vertex if a border vertex is not on its border.
-warp::Mesh mesh_on(const project::Project& project, SideName side, cv::Size picture);
+warp::Mesh mesh_on(const project::Project& project, SideIndex side, cv::Size picture);
 
 /// A mesh over a picture of one size, brought to another size; border vertices exactly on the border. Equal sizes leave
 /// it as it is, to the bit.
@@ -45,6 +45,6 @@ warp::Mesh between(const MeshPair& pair, double t);
 std::vector<double> dissolves(const MeshPair& pair, double t);
 
 /// Whether anything of that side's picture is in the frame at t.
-bool shows(const MeshPair& pair, SideName side, double t);
+bool shows(const MeshPair& pair, SideIndex side, double t);
 
 }  // namespace morphkit::render

@@ -47,7 +47,7 @@ void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std
                           folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : ""));
 }
 
-MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order) {
+MeshPasses passes_of(const MeshPair& pair, SideIndex side, warp::PassOrder order) {
   MeshPasses worst{order, 0, 0, 0};
   for (const double t : kMoments) {
     if (!shows(pair, side, t)) continue;
@@ -59,8 +59,8 @@ MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order)
   return worst;
 }
 
-MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideName side) {
-  if (project.warp.order != warp::PassOrder::kAuto) return passes_of(pair, side, project.warp.order);
+MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideIndex side) {
+  if (project.warp.mesh.order != warp::PassOrder::kAuto) return passes_of(pair, side, project.warp.mesh.order);
   const MeshPasses rows = passes_of(pair, side, warp::PassOrder::kRowsFirst);
   const MeshPasses columns = passes_of(pair, side, warp::PassOrder::kColumnsFirst);
   return std::tie(columns.folds, columns.area_lost) < std::tie(rows.folds, rows.area_lost) ? columns : rows;
@@ -70,8 +70,8 @@ MeshMorpher::MeshMorpher(const project::Project& project, const Stage& stage, bo
     : project_(project),
       stage_(stage),
       pair_(mesh_pair(project, stage)),
-      source_passes_(choose_passes(project, pair_, SideName::kSource)),
-      destination_passes_(choose_passes(project, pair_, SideName::kDestination)),
+      source_passes_(choose_passes(project, pair_, kSource)),
+      destination_passes_(choose_passes(project, pair_, kDestination)),
       border_(border_of(project, stage)),
       allow_folds_(allow_folds) {
   if (allow_folds) return;
@@ -103,7 +103,7 @@ void MeshMorpher::require(double t) const {
   const warp::Mesh mesh = between(pair_, t);
   const std::string place = project_.file.string() + ": /mesh";
   require_unfolded(mesh, fmt::format("at t = {:g} the in-between mesh folds over", t), place);
-  for (const SideName side : {SideName::kSource, SideName::kDestination}) {
+  for (const SideIndex side : {kSource, kDestination}) {
     if (!shows(side, t)) continue;
     require_unfolded(warp::intermediate_mesh(pair_.held(side), mesh, order(side)),
                      fmt::format("at t = {:g} the {} turns too far for two passes, {}, and folds between them", t,
@@ -112,8 +112,8 @@ void MeshMorpher::require(double t) const {
   }
 }
 
-warp::Image MeshMorpher::warped(SideName side, const warp::Mesh& to) const {
-  const warp::MeshWarp warp(pair_.held(side), to, {project_.warp.spline, order(side)});
+warp::Image MeshMorpher::warped(SideIndex side, const warp::Mesh& to) const {
+  const warp::MeshWarp warp(pair_.held(side), to, {project_.warp.mesh.spline, order(side)});
   return warp.apply(stage_.side(side).image, stage_.size, border_);
 }
 
@@ -137,14 +137,14 @@ warp::Image MeshMorpher::frame(double t) const {
   const warp::Mesh mesh = between(pair_, t);
   const std::vector<double> dissolve = dissolves(pair_, t);
   const auto [least, most] = std::minmax_element(dissolve.begin(), dissolve.end());
-  if (*least >= 1) return warped(SideName::kDestination, mesh);
-  warp::Image out = warped(SideName::kSource, mesh);
-  if (*most > 0) mix(out, warped(SideName::kDestination, mesh), mesh, dissolve);
+  if (*least >= 1) return warped(kDestination, mesh);
+  warp::Image out = warped(kSource, mesh);
+  if (*most > 0) mix(out, warped(kDestination, mesh), mesh, dissolve);
   return out;
 }
 
-warp::Map MeshMorpher::map(double t, SideName side) const {
-  return warp::MeshWarp(pair_.file(side), between(pair_, t), {project_.warp.spline, order(side)}).map(stage_.size);
+warp::Map MeshMorpher::map(double t, SideIndex side) const {
+  return warp::MeshWarp(pair_.file(side), between(pair_, t), {project_.warp.mesh.spline, order(side)}).map(stage_.size);
 }
 
 }  // namespace morphkit::render

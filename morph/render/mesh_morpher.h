@@ -20,11 +20,11 @@ struct MeshPasses {
 inline constexpr double kVisibleLoss = 0.05;
 
 /// @param order  kRowsFirst or kColumnsFirst.
-MeshPasses passes_of(const MeshPair& pair, SideName side, warp::PassOrder order);
+MeshPasses passes_of(const MeshPair& pair, SideIndex side, warp::PassOrder order);
 
 /// For all frames at once, since a change on the way would show as a jump: the order that `project` asks for, or of
 /// both the one with fewer folds, then with less area lost.
-MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideName side);
+MeshPasses choose_passes(const project::Project& project, const MeshPair& pair, SideIndex side);
 
 class MeshMorpher : public Morpher {
  public:
@@ -33,16 +33,14 @@ class MeshMorpher : public Morpher {
 
   void require(double t) const override;
   warp::Image frame(double t) const override;
-  bool shows(SideName side, double t) const override { return render::shows(pair_, side, t); }
-  warp::Map map(double t, SideName side) const override;
+  bool shows(SideIndex side, double t) const override { return render::shows(pair_, side, t); }
+  warp::Map map(double t, SideIndex side) const override;
   std::size_t scratch_bytes() const override;
   std::string description() const override;
 
  private:
-  warp::PassOrder order(SideName side) const {
-    return (side == SideName::kSource ? source_passes_ : destination_passes_).order;
-  }
-  warp::Image warped(SideName side, const warp::Mesh& to) const;
+  warp::PassOrder order(SideIndex side) const { return (side == kSource ? source_passes_ : destination_passes_).order; }
+  warp::Image warped(SideIndex side, const warp::Mesh& to) const;
   void mix(warp::Image& source, const warp::Image& destination, const warp::Mesh& mesh,
            std::span<const double> dissolve) const;
 

@@ -29,11 +29,11 @@ class Morpher {
   virtual warp::Image frame(double t) const = 0;
 
   /// Whether anything of that side's picture is in the frame at t.
-  virtual bool shows(SideName side, double t) const = 0;
+  virtual bool shows(SideIndex side, double t) const = 0;
 
   /// Source positions for every canvas pixel at t, px of that side's image file. Folds of lines show as they are;
   /// what is out of order in a mesh is squashed, as in the frame.
-  virtual warp::Map map(double t, SideName side) const = 0;
+  virtual warp::Map map(double t, SideIndex side) const = 0;
 
   /// Memory that `frame` takes beside its result and a few rows for every thread.
   virtual std::size_t scratch_bytes() const = 0;
@@ -45,7 +45,7 @@ class Morpher {
   Morpher() = default;
 };
 
-/// The morpher of project::method_of(project).
+/// The morpher of project::method_name_of(project).
 /// @param allow_folds  render meshes that fold as far as that goes.
 /// @throws Error kBadInput if the project's mesh does not fit its pictures, or folds and must not.
 std::unique_ptr<Morpher> make_morpher(const project::Project& project, const Stage& stage, bool allow_folds);

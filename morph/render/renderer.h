@@ -32,8 +32,8 @@ class Renderer {
   /// t of a frame number: 0 at the first, 1 at the last; 0 if there is only one.
   double time_of(int frame) const noexcept;
 
-  cv::Size picture_size(SideName side) const noexcept { return stage().side(side).file_size; }  ///< of the file, px
-  const Placement& placement(SideName side) const noexcept { return stage().side(side).file; }
+  cv::Size picture_size(SideIndex side) const noexcept { return stage().side(side).file_size; }  ///< of the file, px
+  const Placement& placement(SideIndex side) const noexcept { return stage().side(side).file; }
 
   /// @throws Error kBadInput if the moment t cannot be rendered, naming what is in the way. Cost: O(vertices).
   void require(double t) const { morpher_->require(t); }
@@ -46,10 +46,10 @@ class Renderer {
   std::size_t frame_bytes() const;
 
   /// Whether anything of that side's picture is in the frame at t, if the other one covers the canvas.
-  bool shows(SideName side, double t) const { return morpher_->shows(side, t); }
+  bool shows(SideIndex side, double t) const { return morpher_->shows(side, t); }
 
   /// Source positions for every canvas pixel at t, px of that side's image file.
-  warp::Map map(double t, SideName side) const { return morpher_->map(t, side); }
+  warp::Map map(double t, SideIndex side) const { return morpher_->map(t, side); }
 
   /// What does the work, in a few words for --verbose.
   std::string description() const { return morpher_->description(); }

@@ -10,7 +10,7 @@
 namespace morphkit::render {
 namespace {
 
-media::Picture load(const project::Project& project, const project::Side& side) {
+media::Picture load(const project::Project& project, const project::Picture& side) {
   const media::ColorSpace space =
       side.colorspace.empty() ? media::ColorSpace::kAuto : media::color_space_from(side.colorspace);
   return media::read_picture(project::resolve(project, side.image), space);
@@ -56,8 +56,8 @@ ScaledPicture unscaled(const media::Picture& picture) {
 
 }  // namespace
 
-const char* name_of(SideName side) {
-  return side == SideName::kSource ? "source" : "destination";
+const char* name_of(SideIndex side) {
+  return side == kSource ? "source" : "destination";
 }
 
 void bring_to_held(const StageSide& side, warp::Map& positions) {
@@ -70,8 +70,9 @@ void bring_to_held(const StageSide& side, warp::Map& positions) {
 
 Pictures load_pictures(const project::Project& project) {
   // Reading a picture is the work of one thread; two pictures are that of two.
-  auto destination = std::async(std::launch::async, [&] { return load(project, project.destination); });
-  media::Picture source = load(project, project.source);
+  auto destination =
+      std::async(std::launch::async, [&] { return load(project, project.pictures[project::kDestination]); });
+  media::Picture source = load(project, project.pictures[project::kSource]);
   Pictures pictures{std::move(source), destination.get(), {}};
   if (const auto* file = std::get_if<std::filesystem::path>(&project.output.background))
     pictures.background = media::read_picture(project::resolve(project, *file));

@@ -12,10 +12,12 @@
 
 namespace morphkit::render {
 
-enum class SideName { kSource, kDestination };
+using project::kDestination;
+using project::kSource;
+using project::SideIndex;
 
 /// "source" or "destination".
-const char* name_of(SideName side);
+const char* name_of(SideIndex side);
 
 /// The two pictures (and the background) of a project, loaded.
 struct Pictures {
@@ -46,7 +48,7 @@ struct Stage {
   double unit = 1;  ///< canvas px per px of the view
   StageSide source, destination;
 
-  const StageSide& side(SideName name) const noexcept { return name == SideName::kSource ? source : destination; }
+  const StageSide& side(SideIndex name) const noexcept { return name == kSource ? source : destination; }
 };
 
 Stage make_stage(const project::Project& project, const Pictures& pictures);

@@ -47,8 +47,8 @@ project::Project marked(cv::Size size, int features) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   project::Project project;
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   project.file = std::filesystem::temp_directory_path() / "morphkit-bench-edit.json";
   for (int i = 0; i < features; ++i) {
     const cv::Point2d from(between(0.1, 0.9) * size.width, between(0.1, 0.9) * size.height);
@@ -57,8 +57,8 @@ project::Project marked(cv::Size size, int features) {
     const auto moved = [&](cv::Point2d at) { return at + cv::Point2d(between(-12, 12), between(-12, 12)); };
     project::Feature feature;
     feature.id = "line " + std::to_string(i + 1);
-    feature.source = {from, to};
-    feature.destination = {moved(from), moved(to)};
+    feature.places[project::kSource] = {from, to};
+    feature.places[project::kDestination] = {moved(from), moved(to)};
     project.features.push_back(feature);
   }
   return project;
@@ -143,11 +143,13 @@ void play(cv::Size size, int features) {
 
   Player player(editor);
   const project::Feature feature = editor.model().document.project().features.front();
-  const cv::Point end = in_window(editor, Pane::kSource, feature.source[1]);
+  const cv::Point end = in_window(editor, Pane::kSource, feature.places[project::kSource][1]);
   player.drag(end, end + cv::Point(60, 40));
   player.report("dragging an end");
 
-  const cv::Point middle = in_window(editor, Pane::kDestination, (feature.destination[0] + feature.destination[1]) / 2);
+  const cv::Point middle =
+      in_window(editor, Pane::kDestination,
+                (feature.places[project::kDestination][0] + feature.places[project::kDestination][1]) / 2);
   player.drag(middle, middle + cv::Point(40, -30));
   player.report("dragging a feature");
 

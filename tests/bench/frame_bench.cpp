@@ -31,9 +31,9 @@ project::Project random_project(int lines) {
     return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
   };
   project::Project project;
-  project.influence.a = 1;
-  project.influence.b = 1.5;
-  project.influence.p = 0.2;
+  project.pull.a = 1;
+  project.pull.b = 1.5;
+  project.pull.p = 0.2;
   for (int i = 0; i < lines; ++i) {
     const cv::Point2d p(uniform(0, kWidth), uniform(0, kHeight));
     const double angle = uniform(0, 6.283), length = uniform(40, 200);
@@ -41,8 +41,8 @@ project::Project random_project(int lines) {
     const auto moved = [&](cv::Point2d x) { return x + cv::Point2d(uniform(-20, 20), uniform(-20, 20)); };
     project::Feature feature;
     feature.id = std::to_string(i);
-    feature.source = {p, q};
-    feature.destination = {moved(p), moved(q)};
+    feature.places[project::kSource] = {p, q};
+    feature.places[project::kDestination] = {moved(p), moved(q)};
     project.features.push_back(feature);
   }
   return project;

@@ -89,7 +89,7 @@ TEST_F(Edit, NamesTheProjectAfterThePictures) {
   const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = {}});
   fs::current_path(before);
   EXPECT_EQ(project.file, "a-b.json");
-  EXPECT_EQ(project.source.image, "a.png");
+  EXPECT_EQ(project.pictures[project::kSource].image, "a.png");
 }
 
 TEST_F(Edit, NamesPicturesAsTheProjectSeesThem) {
@@ -99,14 +99,15 @@ TEST_F(Edit, NamesPicturesAsTheProjectSeesThem) {
   fs::current_path(folder_.path());
   const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = file});
   fs::current_path(before);
-  EXPECT_EQ(project.source.image, "../a.png");
-  EXPECT_TRUE(fs::equivalent(project::resolve(project, project.destination.image), folder_ / "b.png"));
+  EXPECT_EQ(project.pictures[project::kSource].image, "../a.png");
+  EXPECT_TRUE(
+      fs::equivalent(project::resolve(project, project.pictures[project::kDestination].image), folder_ / "b.png"));
 }
 
 TEST_F(Edit, GoesOnWithAProjectOfTheSamePicturesOnly) {
   project::Project made = test::small_project();
-  made.source.image = "a.png";
-  made.destination.image = "b.png";
+  made.pictures[project::kSource].image = "a.png";
+  made.pictures[project::kDestination].image = "b.png";
   const fs::path file = folder_ / "pair.json";
   project::save(made, file);
   const fs::path a = folder_ / "a.png";

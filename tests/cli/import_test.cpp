@@ -58,10 +58,10 @@ TEST_F(Import, MakesAProjectThatRenders) {
   EXPECT_TRUE(contains(result.err, "b.mesh: drawn on 41 x 31 pixels, stretched to 81 x 61")) << result.err;
   EXPECT_TRUE(contains(result.err, "pair.json: a mesh of 3 x 2 vertices from xmorph")) << result.err;
   const project::Project project = project::load(folder_ / "pair.json");
-  EXPECT_EQ(project.source.image, "plates/a.png");
-  EXPECT_EQ(project.warp.method, project::Method::kMesh);
-  EXPECT_EQ(project.mesh->source.at(1), cv::Point2d(15.5, 0));
-  EXPECT_EQ(project.mesh->destination.at(5), cv::Point2d(81, 61));
+  EXPECT_EQ(project.pictures[project::kSource].image, "plates/a.png");
+  EXPECT_EQ(project.warp.method, project::MethodName::kMesh);
+  EXPECT_EQ(project.mesh->vertices[project::kSource].at(1), cv::Point2d(15.5, 0));
+  EXPECT_EQ(project.mesh->vertices[project::kDestination].at(5), cv::Point2d(81, 61));
   const RunResult rendered = run({"morph", "pair.json", "-t", "0.5", "-o", "middle.png"});
   EXPECT_EQ(rendered.exit_code, 0) << rendered.err;
 }
@@ -70,14 +70,15 @@ TEST_F(Import, PicturesAreNamedAsTheProjectSeesThem) {
   fs::create_directories(folder_ / "shots/one");
   ASSERT_EQ(run_import("shots/one/pair.json", {"-q"}).exit_code, 0);
   const project::Project project = project::load(folder_ / "shots/one/pair.json");
-  EXPECT_EQ(project.source.image, "../../plates/a.png");
-  EXPECT_TRUE(fs::exists(project::resolve(project, project.destination.image)));
+  EXPECT_EQ(project.pictures[project::kSource].image, "../../plates/a.png");
+  EXPECT_TRUE(fs::exists(project::resolve(project, project.pictures[project::kDestination].image)));
 
   // A link to the folder of the project: ".." starts where it leads.
   fs::create_directory_symlink("shots/one", folder_ / "link");
   ASSERT_EQ(run_import("link/other.json").exit_code, 0);
   const project::Project other = project::load(folder_ / "link/other.json");
-  EXPECT_TRUE(fs::exists(project::resolve(other, other.source.image))) << other.source.image;
+  EXPECT_TRUE(fs::exists(project::resolve(other, other.pictures[project::kSource].image)))
+      << other.pictures[project::kSource].image;
 }
 
 TEST_F(Import, AProjectIsReplacedOnlyWhenAsked) {

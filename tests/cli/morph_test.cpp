@@ -358,6 +358,17 @@ TEST_F(Morph, CheckFindsWhatIsWrong) {
   EXPECT_EQ(run({"check", "missing.json"}).exit_code, 4);
 }
 
+TEST_F(Morph, TellsOfSettingsThatTheMethodDoesNotUse) {
+  write_text(folder_ / "mesh.json",
+             R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"},)"
+             R"("mesh": {"size": [3, 3]}, "warp": {"filter": "lanczos"}})");
+  const std::string told = "\"filter\" of \"warp\" is not used, for the method is mesh";
+  EXPECT_TRUE(contains(run({"morph", "mesh.json", "-t", "0.5", "-o", "m.png"}).err, told));
+  EXPECT_TRUE(contains(run({"map", "mesh.json", "-t", "0.5", "-o", "m.exr"}).err, told));
+  EXPECT_TRUE(contains(run({"check", "mesh.json"}).out, told));
+  EXPECT_FALSE(contains(run({"morph", "pair.json", "-t", "0.5", "-o", "p.png", "--filter", "lanczos"}).err, told));
+}
+
 TEST_F(Morph, MapIsAnSTMap) {
   EXPECT_EQ(run({"map", "pair.json", "-t", "0", "-o", "st.exr"}).exit_code, 0);
   const warp::Image map = media::read_picture(folder_ / "st.exr", media::ColorSpace::kLinear).image;

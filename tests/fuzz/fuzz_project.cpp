@@ -23,12 +23,13 @@ void require_same(const project::Project& saved, const char* step) {
 
 void change(project::Project& project) {
   project.output.frames = project.output.frames % 1000 + 1;
-  project.influence.b = 1.25;
+  project.pull.b = 1.25;
   project.output.background = project::Color{0.5, 0, 0, 1};
   if (!project.features.empty()) project.features.pop_back();
-  if (project.mesh && !project.mesh->source.empty()) project.mesh->source.back() = {7.5, 8};
+  if (project.mesh && !project.mesh->vertices[project::kSource].empty())
+    project.mesh->vertices[project::kSource].back() = {7.5, 8};
   if (project.mesh && !project.mesh->groups.empty()) project.mesh->groups.pop_back();
-  if (!project.groups.empty()) project.groups.front().influence.shape = morphkit::motion::Timing{};
+  if (!project.groups.empty()) project.groups.front().pace.shape = morphkit::motion::Timing{};
 }
 
 }  // namespace

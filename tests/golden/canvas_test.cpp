@@ -36,7 +36,7 @@ struct Scene {
     model.file_name = "woman-man.json";
   }
 
-  const Pyramid& pyramid(SideName side) const { return side == SideName::kSource ? source : destination; }
+  const Pyramid& pyramid(SideIndex side) const { return side == kSource ? source : destination; }
 
   /// What the result pane shows, at a third of the size, as a draft is: golden pictures of renders are elsewhere.
   PreviewPicture preview() const {
@@ -51,7 +51,7 @@ struct Scene {
   }
 
   /// Puts the mouse on a place of a picture.
-  void point_at(SideName side, cv::Point2d position) {
+  void point_at(SideIndex side, cv::Point2d position) {
     model.mouse = cv::Point(to_canvas(model, layout_of(model), pane_of(side), position));
   }
 
@@ -113,8 +113,8 @@ TEST(CanvasGolden, MarksOneSelectedOneUnderTheMouse) {
   Scene scene = scene_with(14);
   scene.model.document.select({{2}, {}});
   const project::Feature& feature = scene.model.document.project().features[5];
-  scene.point_at(SideName::kSource, feature.source[0]);
-  scene.model.hover = Handle{SideName::kSource, 5, 0, -1};
+  scene.point_at(kSource, feature.places[project::kSource][0]);
+  scene.model.hover = Handle{kSource, 5, 0, -1};
   expect_looks("canvas-marks", scene.drawn());
 }
 
@@ -123,12 +123,12 @@ TEST(CanvasGolden, MeshTool) {
   Model& model = scene.model;
   model.tool = Tool::kMesh;
   model.document.make_mesh(6, 7);
-  model.document.set_method(project::Method::kMesh);
+  model.document.set_method(project::MethodName::kMesh);
   const int moved[] = {14, 15, 20, 21};
-  model.document.move_vertices(moved, SideName::kDestination, {24, -30});
+  model.document.move_vertices(moved, kDestination, {24, -30});
   model.document.select({{}, {14, 15, 20, 21}});
-  model.hover = Handle{SideName::kDestination, -1, -1, 27};
-  scene.point_at(SideName::kDestination, model.document.mesh_vertices(SideName::kDestination)[27]);
+  model.hover = Handle{kDestination, -1, -1, 27};
+  scene.point_at(kDestination, model.document.mesh_vertices(kDestination)[27]);
   model.show = Show::kGrid;
   expect_looks("canvas-mesh", scene.drawn());
 }
@@ -139,9 +139,9 @@ TEST(CanvasGolden, CurveSnappingWithLoupe) {
   model.tool = Tool::kCurve;
   model.switches.loupe = true;
   const cv::Point2d next(512, 556);
-  model.sketch = Sketch{Tool::kCurve, SideName::kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
+  model.sketch = Sketch{Tool::kCurve, kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
   model.snapped = next;
-  scene.point_at(SideName::kSource, next);
+  scene.point_at(kSource, next);
   model.show = Show::kDifference;
   expect_looks("canvas-curve", scene.drawn());
 }
@@ -150,7 +150,7 @@ TEST(CanvasGolden, OnionSkinAndFolds) {
   Scene scene = scene_with(10);
   Model& model = scene.model;
   model.document.select({{0, 1, 2}, {}});
-  model.document.swap_end_on(SideName::kDestination);  // turned over: folds
+  model.document.swap_end_on(kDestination);  // turned over: folds
   model.switches.onion = true;
   model.t = 0.35;
   model.playing = true;
@@ -182,11 +182,11 @@ TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
   Scene scene(plain({640, 480}, 0.6f, 1.0f), plain({500, 600}, 0.0f, 0.03f), {}, kLeastCanvas);
   Model& model = scene.model;
   model.file_name = "ein sehr langer Name f\u00fcr ein Projekt, der nirgends hineinpasst.json";
-  for (int i = 0; i < 5; ++i) model.document.add_line(SideName::kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
-  for (int i = 0; i < 4; ++i) model.document.add_point(SideName::kSource, {90.0 + 120 * i, 290});
-  model.document.add_curve(SideName::kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
+  for (int i = 0; i < 5; ++i) model.document.add_line(kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
+  for (int i = 0; i < 4; ++i) model.document.add_point(kSource, {90.0 + 120 * i, 290});
+  model.document.add_curve(kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
   model.entry = Entry{Entry::What::kName, "Stra\u00dfe"};
-  model.sketch = Sketch{Tool::kSelect, SideName::kDestination, {{30, 60}, {300, 520}}, {}};
+  model.sketch = Sketch{Tool::kSelect, kDestination, {{30, 60}, {300, 520}}, {}};
   expect_looks("canvas-contrast", scene.drawn());
 }
 
@@ -212,10 +212,10 @@ TEST(Canvas, DrawsAtEverySizeAndZoom) {
     for (const double zoom : {kLeastZoom, 1.0, kMostZoom}) {
       SCOPED_TRACE(std::to_string(size.width) + " " + std::to_string(zoom));
       Scene scene(plain({64, 48}, 0, 1), plain({48, 64}, 0, 1), {}, size);
-      scene.model.document.add_line(SideName::kSource, {-90000, 3}, {90000, 20});
+      scene.model.document.add_line(kSource, {-90000, 3}, {90000, 20});
       scene.model.source_view.zoom = scene.model.destination_view.zoom = zoom;
       scene.model.switches.loupe = true;
-      scene.point_at(SideName::kSource, {32, 24});
+      scene.point_at(kSource, {32, 24});
       EXPECT_EQ(Canvas(scene.source, scene.destination).draw(scene.model, {}).size(), size);
     }
 }

@@ -95,14 +95,14 @@ TEST_F(EditWindow, MarksDragsZoomsUndoesScrubsAndSaves) {
   mark_three_lines();
   ASSERT_TRUE(saved_with(3));
   const project::Project marked = project::load(file());
-  EXPECT_NEAR(marked.features[1].source[0].x, 60, 1.5);
-  EXPECT_NEAR(marked.features[1].source[0].y, 120, 1.5);
+  EXPECT_NEAR(marked.features[1].places[project::kSource][0].x, 60, 1.5);
+  EXPECT_NEAR(marked.features[1].places[project::kSource][0].y, 120, 1.5);
 
   // An end is put right on the other picture.
-  const cv::Point2d end = marked.features[1].destination[1];
+  const cv::Point2d end = marked.features[1].places[project::kDestination][1];
   desktop_.drag(at(edit::Pane::kDestination, end), at(edit::Pane::kDestination, end + cv::Point2d(20, -30)));
   ASSERT_TRUE(saved_with(3));
-  const auto end_now = [&] { return project::load(file()).features[1].destination[1]; };
+  const auto end_now = [&] { return project::load(file()).features[1].places[project::kDestination][1]; };
   EXPECT_NEAR(end_now().x, end.x + 20, 1.5);
   EXPECT_NEAR(end_now().y, end.y - 30, 1.5);
   screenshot("edit-marked");
@@ -119,8 +119,8 @@ TEST_F(EditWindow, MarksDragsZoomsUndoesScrubsAndSaves) {
   ASSERT_TRUE(sees("\\*pair.json"));
   desktop_.drag(button(edit::Action::kSave), button(edit::Action::kSave));
   ASSERT_TRUE(sees("pair.json"));
-  const cv::Point2d start = marked.features[0].source[0];
-  const cv::Point2d start_now = project::load(file()).features[0].source[0];
+  const cv::Point2d start = marked.features[0].places[project::kSource][0];
+  const cv::Point2d start_now = project::load(file()).features[0].places[project::kSource][0];
   EXPECT_GT(start_now.x, start.x);
   EXPECT_LT(start_now.x, start.x + (cv::Point2d(40, 0) * (kPicture.width / 400.0)).x);
   desktop_.press("Home");

@@ -36,17 +36,17 @@ inline render::Pictures pictures(warp::Image source, warp::Image destination, bo
 inline project::Feature line(std::string id, warp::Line source, warp::Line destination) {
   project::Feature feature;
   feature.id = std::move(id);
-  feature.source = {source.p, source.q};
-  feature.destination = {destination.p, destination.q};
+  feature.places[project::kSource] = {source.p, source.q};
+  feature.places[project::kDestination] = {destination.p, destination.q};
   return feature;
 }
 
 inline project::Feature point(std::string id, cv::Point2d source, cv::Point2d destination) {
   project::Feature feature;
   feature.id = std::move(id);
-  feature.kind = project::FeatureKind::kPoint;
-  feature.source = {source};
-  feature.destination = {destination};
+  feature.mark = project::Point{};
+  feature.places[project::kSource] = {source};
+  feature.places[project::kDestination] = {destination};
   return feature;
 }
 
@@ -57,9 +57,9 @@ inline project::Project small_project() {
                       line("side", {{10, 20}, {14, 52}}, {{16, 22}, {13, 50}}), point("nose", {48, 34}, {52, 31})};
   project::Feature curve;
   curve.id = "mouth";
-  curve.kind = project::FeatureKind::kCurve;
-  curve.source = {{30, 48}, {48, 54}, {66, 47}};
-  curve.destination = {{33, 50}, {40, 53}, {52, 55}, {63, 49}};
+  curve.mark = project::Curve{};
+  curve.places[project::kSource] = {{30, 48}, {48, 54}, {66, 47}};
+  curve.places[project::kDestination] = {{33, 50}, {40, 53}, {52, 55}, {63, 49}};
   project.features.push_back(curve);
   project.output.frames = 9;
   return project;

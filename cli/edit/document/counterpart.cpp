@@ -16,7 +16,9 @@
 namespace morphkit::edit {
 namespace {
 
-using render::SideName;
+using project::kDestination;
+using project::kSource;
+using project::SideIndex;
 
 cv::Point2d into(cv::Point2d position, cv::Size picture) {
   return {std::clamp(position.x, 0.0, static_cast<double>(picture.width)),
@@ -34,13 +36,13 @@ const cv::Point2d kCentre{0.5, 0.5};
 /// The lines of `side` as the output and those of the other as the target, all moved so that `on_canvas` is the centre
 /// of pixel (0, 0): the field is asked at pixel centres, and tells small positions most precisely. A line of next to no
 /// length that rounding makes a point on one side only says nothing and is left out.
-std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pairs, SideName side,
+std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pairs, SideIndex side,
                                          cv::Point2d on_canvas) {
   const cv::Point2d shift = kCentre - on_canvas;
   std::vector<warp::FieldLine> lines;
   lines.reserve(pairs.size());
   for (const render::LinePair& pair : pairs) {
-    const bool from_source = side == SideName::kSource;
+    const bool from_source = side == kSource;
     const warp::Line& here = from_source ? pair.source : pair.destination;
     const warp::Line& there = from_source ? pair.destination : pair.source;
     const warp::Line output{here.p + shift, here.q + shift}, target{there.p + shift, there.q + shift};
@@ -48,15 +50,15 @@ std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pa
     warp::FieldLine line;
     line.output = output;
     line.targets = {target};
-    line.weight = {*pair.influence.a, *pair.influence.b, *pair.influence.p};
-    line.scale = *pair.influence.scale;
+    line.weight = {*pair.pull.a, *pair.pull.b, *pair.pull.p};
+    line.scale = *pair.pull.scale;
     lines.push_back(std::move(line));
   }
   return lines;
 }
 
 /// Canvas to canvas; nothing if the features say nothing there.
-std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>& pairs, SideName side,
+std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>& pairs, SideIndex side,
                                             cv::Point2d on_canvas) {
   const std::vector<warp::FieldLine> lines = lines_about(pairs, side, on_canvas);
   if (lines.empty()) return std::nullopt;
@@ -100,24 +102,24 @@ std::optional<cv::Point2d> carried_by_mesh(const warp::Mesh& here, const warp::M
 
 }  // namespace
 
-std::vector<cv::Point2d> vertices_on(const project::Project& project, SideName side, cv::Size picture) {
+std::vector<cv::Point2d> vertices_on(const project::Project& project, SideIndex side, cv::Size picture) {
   if (!project.mesh) return {};
   const project::Mesh& mesh = *project.mesh;
-  const auto& vertices = side == SideName::kSource ? mesh.source : mesh.destination;
+  const auto& vertices = mesh.vertices[side];
   if (!vertices.empty()) return vertices;
   return warp::uniform_mesh(mesh.columns, mesh.rows, {{0, 0}, cv::Size2d(picture)}).vertices;
 }
 
-cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, SideName side,
+cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, SideIndex side,
                         cv::Point2d position) {
-  const bool from_source = side == SideName::kSource;
+  const bool from_source = side == kSource;
   const cv::Size here = from_source ? source : destination, there = from_source ? destination : source;
-  const SideName other_side = from_source ? SideName::kDestination : SideName::kSource;
+  const SideIndex other_side = from_source ? kDestination : kSource;
   const cv::Size canvas = render::canvas_size(project, source);
   const render::Placement placed = render::place(here, canvas, project.output.fit);
   const render::Placement other_placed = render::place(there, canvas, project.output.fit);
   const cv::Point2d on_canvas = placed.to_canvas(position);
-  if (project::method_of(project) == project::Method::kMesh && project.mesh) {
+  if (project::method_name_of(project) == project::MethodName::kMesh && project.mesh) {
     const int columns = project.mesh->columns, rows = project.mesh->rows;
     const auto carried =
         carried_by_mesh({columns, rows, vertices_on(project, side, here)},

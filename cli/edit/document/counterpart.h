@@ -16,10 +16,10 @@ namespace morphkit::edit {
 /// pictures, as placed on the canvas, show the same pixel.
 /// @param source, destination  sizes of the pictures, px.
 /// @param position  finite. Cost: O(lines) or O(vertices).
-cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, render::SideName side,
+cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, project::SideIndex side,
                         cv::Point2d position);
 
 /// The project's mesh on one picture of that size, px; a uniform one spelled out. Empty without a mesh.
-std::vector<cv::Point2d> vertices_on(const project::Project& project, render::SideName side, cv::Size picture);
+std::vector<cv::Point2d> vertices_on(const project::Project& project, project::SideIndex side, cv::Size picture);
 
 }  // namespace morphkit::edit

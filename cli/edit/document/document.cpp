@@ -13,7 +13,6 @@ namespace morphkit::edit {
 namespace {
 
 using project::Feature;
-using project::FeatureKind;
 using project::Project;
 
 /// Rising, each once, below `count`.
@@ -38,7 +37,7 @@ std::size_t vertex_count(const Project& project) {
 /// A mesh cannot mirror, and the last feature that goes may leave a mesh in charge.
 void settle(Project& project) {
   const bool mirrors = project.warp.border == warp::Border::kMirror;
-  if (mirrors && project::method_of(project) == project::Method::kMesh) project.warp.border.reset();
+  if (mirrors && project::method_name_of(project) == project::MethodName::kMesh) project.warp.border.reset();
 }
 
 }  // namespace
@@ -135,7 +134,7 @@ void Document::select_all_vertices() {
   state_.selection = {{}, first_numbers(vertex_count(project()))};
 }
 
-cv::Point2d Document::counterpart(SideName side, cv::Point2d position) const {
+cv::Point2d Document::counterpart(SideIndex side, cv::Point2d position) const {
   return edit::counterpart(project(), source_, destination_, side, position);
 }
 
@@ -143,7 +142,7 @@ int Document::add(Feature feature) {
   if (!sound(feature) || project().features.size() >= project::kMaxFeatures) return -1;
   const int index = static_cast<int>(project().features.size());
   change([&](Project& project) {
-    feature.id = free_id(project, feature.kind);
+    feature.id = free_id(project, feature.mark);
     project.features.push_back(std::move(feature));
     state_.selection = {{index}, {}};
   });
@@ -152,7 +151,7 @@ int Document::add(Feature feature) {
 
 /// The other end of a partner whose ends would lie at one place, as they do when both were carried out of the picture:
 /// as far from `start` as on the side that was drawn, into the picture if there is room.
-cv::Point2d Document::partner_end(SideName side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const {
+cv::Point2d Document::partner_end(SideIndex side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const {
   const cv::Size size = picture_size(other(side));
   const cv::Rect2d picture({0, 0}, cv::Size2d(size));
   const cv::Point2d arm = to - from;
@@ -163,7 +162,7 @@ cv::Point2d Document::partner_end(SideName side, cv::Point2d start, cv::Point2d 
   return end != start ? end : start + cv::Point2d(start.x < middle.x ? 1 : -1, 0);
 }
 
-int Document::add_line(SideName side, cv::Point2d from, cv::Point2d to) {
+int Document::add_line(SideIndex side, cv::Point2d from, cv::Point2d to) {
   if (!finite(from) || !finite(to)) return -1;
   from = kept(from);
   to = kept(to);
@@ -177,23 +176,23 @@ int Document::add_line(SideName side, cv::Point2d from, cv::Point2d to) {
   return add(std::move(feature));
 }
 
-int Document::add_point(SideName side, cv::Point2d at) {
+int Document::add_point(SideIndex side, cv::Point2d at) {
   if (!finite(at)) return -1;
   Feature feature;
-  feature.kind = FeatureKind::kPoint;
+  feature.mark = project::Point{};
   points_of(feature, side) = {kept(at)};
   points_of(feature, other(side)) = {counterpart(side, kept(at))};
   return add(std::move(feature));
 }
 
-int Document::add_curve(SideName side, const std::vector<cv::Point2d>& points, bool closed) {
+int Document::add_curve(SideIndex side, const std::vector<cv::Point2d>& points, bool closed) {
   if (!std::ranges::all_of(points, finite)) return -1;
   Feature feature;
-  feature.kind = FeatureKind::kCurve;
-  feature.closed = closed;
+  const project::Curve curve{.closed = closed};
+  feature.mark = curve;
   Points& here = points_of(feature, side);
   for (const cv::Point2d& point : points) here.push_back(kept(point));
-  if (here.size() > project::kMaxPoints || motion::Curve::problem(feature.curve, here, closed)) return -1;
+  if (here.size() > project::kMaxPoints || motion::Curve::problem(curve.kind, here, closed)) return -1;
   Points& there = points_of(feature, other(side));
   there.reserve(here.size());
   for (const cv::Point2d& point : here) there.push_back(counterpart(side, point));
@@ -205,7 +204,7 @@ int Document::add_curve(SideName side, const std::vector<cv::Point2d>& points, b
   return add(std::move(feature));
 }
 
-bool Document::move_point(int feature, SideName side, int point, cv::Point2d to) {
+bool Document::move_point(int feature, SideIndex side, int point, cv::Point2d to) {
   if (feature < 0 || static_cast<std::size_t>(feature) >= project().features.size() || point < 0) return false;
   bool done = false;
   change([&](Project& project) {
@@ -215,7 +214,7 @@ bool Document::move_point(int feature, SideName side, int point, cv::Point2d to)
   return done;
 }
 
-void Document::move_selected(SideName side, cv::Point2d by) {
+void Document::move_selected(SideIndex side, cv::Point2d by) {
   const bool alone = !in_step();
   begin();
   change_selected([&](Feature& feature) { move_all(feature, side, by); });
@@ -245,9 +244,8 @@ void Document::duplicate_selected(cv::Point2d by) {
     Selection copies;
     for (const int i : originals) {
       Feature copy = project.features[static_cast<std::size_t>(i)];
-      copy.id = free_id(project, copy.kind);
-      move_all(copy, SideName::kSource, by);
-      move_all(copy, SideName::kDestination, by);
+      copy.id = free_id(project, copy.mark);
+      for (SideIndex side = 0; side < copy.places.size(); ++side) move_all(copy, side, by);
       copies.features.push_back(static_cast<int>(project.features.size()));
       project.features.push_back(std::move(copy));
     }
@@ -257,13 +255,12 @@ void Document::duplicate_selected(cv::Point2d by) {
 
 void Document::swap_ends_selected() {
   change_selected([](Feature& feature) {
-    if (feature.closed) return;
-    reverse(feature, SideName::kSource);
-    reverse(feature, SideName::kDestination);
+    if (is_closed(feature)) return;
+    for (SideIndex side = 0; side < feature.places.size(); ++side) reverse(feature, side);
   });
 }
 
-void Document::swap_end_on(SideName side) {
+void Document::swap_end_on(SideIndex side) {
   change_selected([&](Feature& feature) { reverse(feature, side); });
 }
 

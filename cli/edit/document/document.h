@@ -16,10 +16,12 @@
 
 namespace morphkit::edit {
 
-using render::SideName;
+using project::kDestination;
+using project::kSource;
+using project::SideIndex;
 
-inline SideName other(SideName side) {
-  return side == SideName::kSource ? SideName::kDestination : SideName::kSource;
+inline SideIndex other(SideIndex side) {
+  return side == kSource ? kDestination : kSource;
 }
 
 /// The numbers that sliders change, for the project or for the selected features.
@@ -39,7 +41,7 @@ class Document {
 
   const project::Project& project() const noexcept { return state_.project; }
   const Selection& selection() const noexcept { return state_.selection; }
-  cv::Size picture_size(SideName side) const noexcept { return side == SideName::kSource ? source_ : destination_; }
+  cv::Size picture_size(SideIndex side) const noexcept { return side == kSource ? source_ : destination_; }
   std::uint64_t revision() const noexcept { return revision_; }  ///< another number whenever the project changes
 
   // Steps
@@ -68,18 +70,18 @@ class Document {
 
   // Features. New ones are selected. The partner of a new mark lies where the warp so far carries it. Each gives the
   // new index, or -1 if it would be no feature (both ends in one place, numbers that are not finite, too many).
-  int add_line(SideName side, cv::Point2d from, cv::Point2d to);
-  int add_point(SideName side, cv::Point2d at);
+  int add_line(SideIndex side, cv::Point2d from, cv::Point2d to);
+  int add_point(SideIndex side, cv::Point2d at);
   /// Through the points (Catmull-Rom). -1 also if they make no curve (motion::Curve::problem).
-  int add_curve(SideName side, const std::vector<cv::Point2d>& points, bool closed);
+  int add_curve(SideIndex side, const std::vector<cv::Point2d>& points, bool closed);
   /// An end of a line, a point, a control point of a curve. What would make no feature (a line or a curve without
   /// length) is not done. Ends that lie at one place on both sides move together. @return whether it was done.
-  bool move_point(int feature, SideName side, int point, cv::Point2d to);
-  void move_selected(SideName side, cv::Point2d by);  ///< features and vertices
-  void erase_selected();                              ///< features; vertices cannot be
-  void duplicate_selected(cv::Point2d by);            ///< copies with new ids, moved on both sides, selected
-  void swap_ends_selected();                          ///< of lines and open curves, on both sides: the same warp
-  void swap_end_on(SideName side);  ///< of the selected, on one side: mends a line drawn the other way round
+  bool move_point(int feature, SideIndex side, int point, cv::Point2d to);
+  void move_selected(SideIndex side, cv::Point2d by);  ///< features and vertices
+  void erase_selected();                               ///< features; vertices cannot be
+  void duplicate_selected(cv::Point2d by);             ///< copies with new ids, moved on both sides, selected
+  void swap_ends_selected();                           ///< of lines and open curves, on both sides: the same warp
+  void swap_end_on(SideIndex side);  ///< of the selected, on one side: mends a line drawn the other way round
   /// @return what is wrong with the name (empty, taken), or nothing.
   std::optional<std::string> rename(int feature, const std::string& id);
   /// Puts the selected features into the group, which is made if need be; empty: into none. Groups that nothing
@@ -94,23 +96,23 @@ class Document {
   motion::Timing timing(Progress which) const;
   /// Delays and durations stay, each feature's own. Not done if the project file would not take it.
   void set_easing(Progress which, const motion::Easing& easing);
-  project::Method method() const { return project::method_of(project()); }
-  void set_method(project::Method method);  ///< kMesh makes a mesh of 5 x 5 if there is none
+  project::MethodName method() const { return project::method_name_of(project()); }
+  void set_method(project::MethodName method);  ///< kMesh makes a mesh of 5 x 5 if there is none
 
   // Mesh
   void make_mesh(int columns, int rows);  ///< evenly spaced on both pictures; replaces one that is there
   bool has_mesh() const noexcept { return project().mesh.has_value(); }
   /// Positions of the vertices of a side, those of a uniform mesh too. Empty without a mesh.
-  std::vector<cv::Point2d> mesh_vertices(SideName side) const;
+  std::vector<cv::Point2d> mesh_vertices(SideIndex side) const;
   /// Vertices at the border slide along it, corners stay; all stay on the picture. They may come to fold.
-  void move_vertices(std::span<const int> vertices, SideName side, cv::Point2d by);
+  void move_vertices(std::span<const int> vertices, SideIndex side, cv::Point2d by);
   void insert_column(int after, double fraction);  ///< between `after` and the next, on both sides at that fraction
   void insert_row(int after, double fraction);
   bool remove_column(int column);  ///< inner ones only: two columns always stay. @return whether it was done
   bool remove_row(int row);
 
   /// Where the warp so far carries a position of one picture in the other; without features where the canvas has it.
-  cv::Point2d counterpart(SideName side, cv::Point2d position) const;
+  cv::Point2d counterpart(SideIndex side, cv::Point2d position) const;
 
  private:
   void change(const std::function<void(project::Project&)>& edit);
@@ -121,7 +123,7 @@ class Document {
   void change_mesh(bool columns, const std::function<void(project::Mesh&)>& edit, const std::function<int(int)>& moved);
   void insert(bool column, int after, double fraction);
   bool remove(bool column, int which);
-  cv::Point2d partner_end(SideName side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const;
+  cv::Point2d partner_end(SideIndex side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const;
 
   cv::Size source_, destination_;
   State state_;

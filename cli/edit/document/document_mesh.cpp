@@ -19,13 +19,13 @@ namespace {
 using project::MeshGroup;
 using project::Project;
 
-constexpr SideName kSides[] = {SideName::kSource, SideName::kDestination};
+constexpr SideIndex kSides[] = {kSource, kDestination};
 
 /// Vertices of a new mesh, each way, when nobody has said how many.
 constexpr int kUsualMesh = 5;
 
-std::vector<cv::Point2d>& vertices_of(project::Mesh& mesh, SideName side) {
-  return side == SideName::kSource ? mesh.source : mesh.destination;
+std::vector<cv::Point2d>& vertices_of(project::Mesh& mesh, SideIndex side) {
+  return mesh.vertices[side];
 }
 
 std::set<std::string> groups_of(const std::optional<project::Mesh>& mesh) {
@@ -42,13 +42,13 @@ bool allowed(int columns, int rows) {
 
 void lay_mesh(Project& project, int columns, int rows) {
   const std::set<std::string> left = groups_of(project.mesh);
-  project.mesh = project::Mesh{.columns = columns, .rows = rows, .source = {}, .destination = {}, .groups = {}};
+  project.mesh = project::Mesh{.columns = columns, .rows = rows, .vertices = {{}, {}}, .groups = {}};
   drop_idle_groups(project, left);
 }
 
 /// Columns are the rows of the transposed mesh: what changes the number of either is written for columns.
 void transpose(project::Mesh& mesh) {
-  for (const SideName side : kSides) {
+  for (const SideIndex side : kSides) {
     std::vector<cv::Point2d>& vertices = vertices_of(mesh, side);
     vertices = warp::transposed({mesh.columns, mesh.rows, std::move(vertices)}).vertices;
   }
@@ -75,7 +75,7 @@ void insert_into_groups(project::Mesh& mesh, int after) {
 
 /// @pre both sides are spelled out.
 void insert_column_into(project::Mesh& mesh, int after, double fraction) {
-  for (const SideName side : kSides) {
+  for (const SideIndex side : kSides) {
     const auto& old = vertices_of(mesh, side);
     std::vector<cv::Point2d> vertices;
     vertices.reserve(old.size() + static_cast<std::size_t>(mesh.rows));
@@ -91,7 +91,7 @@ void insert_column_into(project::Mesh& mesh, int after, double fraction) {
 }
 
 void remove_column_from(project::Mesh& mesh, int column) {
-  for (const SideName side : kSides) {
+  for (const SideIndex side : kSides) {
     int i = 0;
     std::erase_if(vertices_of(mesh, side), [&](const cv::Point2d&) { return i++ % mesh.columns == column; });
   }
@@ -119,10 +119,10 @@ std::vector<int> renumbered(const std::vector<int>& vertices, int columns, int n
 
 }  // namespace
 
-void Document::set_method(project::Method method) {
+void Document::set_method(project::MethodName method) {
   change([&](Project& project) {
-    if (method == project::Method::kMesh && !project.mesh) lay_mesh(project, kUsualMesh, kUsualMesh);
-    if (project::method_of(project) != method) project.warp.method = method;
+    if (method == project::MethodName::kMesh && !project.mesh) lay_mesh(project, kUsualMesh, kUsualMesh);
+    if (project::method_name_of(project) != method) project.warp.method = method;
   });
 }
 
@@ -135,11 +135,11 @@ void Document::make_mesh(int columns, int rows) {
   });
 }
 
-std::vector<cv::Point2d> Document::mesh_vertices(SideName side) const {
+std::vector<cv::Point2d> Document::mesh_vertices(SideIndex side) const {
   return vertices_on(project(), side, picture_size(side));
 }
 
-void Document::move_vertices(std::span<const int> vertices, SideName side, cv::Point2d by) {
+void Document::move_vertices(std::span<const int> vertices, SideIndex side, cv::Point2d by) {
   if (!has_mesh() || vertices.empty() || !finite(by)) return;
   const int columns = project().mesh->columns, rows = project().mesh->rows;
   const cv::Size size = picture_size(side);
@@ -162,7 +162,7 @@ void Document::change_mesh(bool columns, const std::function<void(project::Mesh&
   change([&](Project& project) {
     const std::set<std::string> left = groups_of(project.mesh);
     const int old_columns = project.mesh->columns;
-    for (const SideName side : kSides) vertices_of(*project.mesh, side) = mesh_vertices(side);
+    for (const SideIndex side : kSides) vertices_of(*project.mesh, side) = mesh_vertices(side);
     if (!columns) transpose(*project.mesh);
     edit(*project.mesh);
     if (!columns) transpose(*project.mesh);

@@ -9,23 +9,24 @@
 namespace morphkit::edit {
 namespace {
 
-using project::Influence;
+using project::Pace;
 using project::Project;
+using project::Pull;
 
-std::optional<double>& value_of(Influence& influence, Tuning which) {
-  return which == Tuning::kA ? influence.a : which == Tuning::kB ? influence.b : influence.p;
+std::optional<double>& value_of(Pull& pull, Tuning which) {
+  return which == Tuning::kA ? pull.a : which == Tuning::kB ? pull.b : pull.p;
 }
 
-const std::optional<double>& value_of(const Influence& influence, Tuning which) {
-  return which == Tuning::kA ? influence.a : which == Tuning::kB ? influence.b : influence.p;
+const std::optional<double>& value_of(const Pull& pull, Tuning which) {
+  return which == Tuning::kA ? pull.a : which == Tuning::kB ? pull.b : pull.p;
 }
 
-std::optional<motion::Timing>& timing_of(Influence& influence, Progress which) {
-  return which == Progress::kShape ? influence.shape : influence.dissolve;
+std::optional<motion::Timing>& timing_of(Pace& pace, Progress which) {
+  return which == Progress::kShape ? pace.shape : pace.dissolve;
 }
 
-const std::optional<motion::Timing>& timing_of(const Influence& influence, Progress which) {
-  return which == Progress::kShape ? influence.shape : influence.dissolve;
+const std::optional<motion::Timing>& timing_of(const Pace& pace, Progress which) {
+  return which == Progress::kShape ? pace.shape : pace.dissolve;
 }
 
 double most(Tuning which) {
@@ -37,9 +38,14 @@ const project::Feature* first_selected(const Document& document) {
   return selected.empty() ? nullptr : &document.project().features[static_cast<std::size_t>(selected.front())];
 }
 
-Influence effective_of_first(const Document& document) {
+Pull pull_of_first(const Document& document) {
   const project::Feature* feature = first_selected(document);
-  return feature ? project::effective(document.project(), *feature) : project::effective(document.project());
+  return feature ? project::effective_pull(document.project(), *feature) : project::effective_pull(document.project());
+}
+
+Pace pace_of_first(const Document& document) {
+  const project::Feature* feature = first_selected(document);
+  return feature ? project::effective_pace(document.project(), *feature) : project::effective_pace(document.project());
 }
 
 bool within_limits(double value) {
@@ -63,48 +69,47 @@ bool acceptable(const motion::Easing& easing) {
 }  // namespace
 
 double Document::tuning(Tuning which) const {
-  return *value_of(effective_of_first(*this), which);
+  return *value_of(pull_of_first(*this), which);
 }
 
 bool Document::tuning_is_own(Tuning which) const {
   const project::Feature* feature = first_selected(*this);
-  return value_of(feature ? feature->influence : project().influence, which).has_value();
+  return value_of(feature ? feature->pull : project().pull, which).has_value();
 }
 
 void Document::tune(Tuning which, double value) {
   if (std::isnan(value)) return;
   value = std::clamp(value, 0.0, most(which));
   if (selection().features.empty()) {
-    change([&](Project& project) { value_of(project.influence, which) = value; });
+    change([&](Project& project) { value_of(project.pull, which) = value; });
   } else {
-    change_selected([&](project::Feature& feature) { value_of(feature.influence, which) = value; });
+    change_selected([&](project::Feature& feature) { value_of(feature.pull, which) = value; });
   }
 }
 
 void Document::untune() {
   change_selected([](project::Feature& feature) {
-    Influence& influence = feature.influence;
-    influence.a = influence.b = influence.p = std::nullopt;
-    influence.shape = influence.dissolve = std::nullopt;
+    feature.pull.a = feature.pull.b = feature.pull.p = std::nullopt;
+    feature.pace = {};
   });
 }
 
 motion::Timing Document::timing(Progress which) const {
-  return *timing_of(effective_of_first(*this), which);
+  return *timing_of(pace_of_first(*this), which);
 }
 
 void Document::set_easing(Progress which, const motion::Easing& easing) {
   if (!acceptable(easing)) return;
-  const auto set = [&](Influence& influence, const Influence& effective) {
+  const auto set = [&](Pace& pace, const Pace& effective) {
     motion::Timing timing = *timing_of(effective, which);
     timing.easing = easing;
-    timing_of(influence, which) = timing;
+    timing_of(pace, which) = timing;
   };
   change([&](Project& project) {
-    if (selection().features.empty()) set(project.influence, project::effective(project));
+    if (selection().features.empty()) set(project.pace, project::effective_pace(project));
     for (const int i : selection().features) {
       project::Feature& feature = project.features[static_cast<std::size_t>(i)];
-      set(feature.influence, project::effective(project, feature));
+      set(feature.pace, project::effective_pace(project, feature));
     }
   });
 }

@@ -9,7 +9,7 @@ using project::Project;
 
 void add_group(Project& project, const std::string& id) {
   if (id.empty() || std::ranges::find(project.groups, id, &Group::id) != project.groups.end()) return;
-  project.groups.push_back({id, {}});
+  project.groups.push_back({id, {}, {}});
 }
 
 void drop_idle_groups(Project& project, const std::set<std::string>& left) {
@@ -19,7 +19,8 @@ void drop_idle_groups(Project& project, const std::set<std::string>& left) {
     for (const project::MeshGroup& group : project.mesh->groups) used.insert(group.group);
   }
   std::erase_if(project.groups, [&](const Group& group) {
-    return left.contains(group.id) && !used.contains(group.id) && group.influence == project::Influence{};
+    return left.contains(group.id) && !used.contains(group.id) && group.pull == project::Pull{} &&
+           group.pace == project::Pace{};
   });
 }
 

@@ -29,10 +29,10 @@ std::shared_ptr<const T> shared(const std::shared_ptr<const T>& neighbour, const
 
 project::Project rest_of(const project::Project& project) {
   project::Project rest;
-  rest.source = project.source;
-  rest.destination = project.destination;
+  rest.pictures = project.pictures;
   rest.warp = project.warp;
-  rest.influence = project.influence;
+  rest.pull = project.pull;
+  rest.pace = project.pace;
   rest.blend = project.blend;
   rest.output = project.output;
   return rest;

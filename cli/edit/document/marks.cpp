@@ -1,6 +1,7 @@
 #include "cli/edit/document/marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -15,9 +16,11 @@ namespace morphkit::edit {
 namespace {
 
 using project::Feature;
-using project::FeatureKind;
+using project::kDestination;
 using project::kMaxCoordinate;
-using render::SideName;
+using project::kSource;
+using project::Mark;
+using project::SideIndex;
 
 bool within_limits(const Points& points) {
   return std::ranges::all_of(points, [](cv::Point2d p) { return finite(p) && p == kept(p); });
@@ -27,9 +30,18 @@ bool ends_meet(const Points& points) {
   return points.front() == points.back();
 }
 
+/// Whether the points are a mark of this kind on one side.
+bool fits(const Mark& mark, const Points& points) {
+  if (std::holds_alternative<project::Point>(mark)) return points.size() == 1;
+  if (std::holds_alternative<project::Line>(mark)) return points.size() == 2;
+  const auto& curve = std::get<project::Curve>(mark);
+  return points.size() <= project::kMaxPoints && !motion::Curve::problem(curve.kind, points, curve.closed);
+}
+
 /// Whether both ends of what is open lie at the same place, on both sides.
 bool is_joined(const Feature& feature) {
-  return feature.kind != FeatureKind::kPoint && !feature.closed && ends_meet(feature.source);
+  return !std::holds_alternative<project::Point>(feature.mark) && !is_closed(feature) &&
+         ends_meet(feature.places[project::kSource]);
 }
 
 /// The nearest to `by` that lets `value` and all others stay within the limits.
@@ -39,12 +51,12 @@ double limited(double by, double least, double most) {
 
 }  // namespace
 
-Points& points_of(Feature& feature, SideName side) {
-  return side == SideName::kSource ? feature.source : feature.destination;
+Points& points_of(Feature& feature, SideIndex side) {
+  return feature.places[side];
 }
 
-const Points& points_of(const Feature& feature, SideName side) {
-  return side == SideName::kSource ? feature.source : feature.destination;
+const Points& points_of(const Feature& feature, SideIndex side) {
+  return feature.places[side];
 }
 
 bool finite(cv::Point2d point) {
@@ -60,19 +72,20 @@ cv::Point2d kept(cv::Point2d point) {
   return {std::clamp(point.x, -kMaxCoordinate, kMaxCoordinate), std::clamp(point.y, -kMaxCoordinate, kMaxCoordinate)};
 }
 
-bool sound(const Feature& feature) {
-  if (!within_limits(feature.source) || !within_limits(feature.destination)) return false;
-  const std::size_t from = feature.source.size(), to = feature.destination.size();
-  if (feature.kind == FeatureKind::kPoint) return from == 1 && to == 1;
-  if (feature.kind == FeatureKind::kLine)
-    return from == 2 && to == 2 && ends_meet(feature.source) == ends_meet(feature.destination);
-  if (from > project::kMaxPoints || to > project::kMaxPoints) return false;
-  if (motion::Curve::problem(feature.curve, feature.source, feature.closed)) return false;
-  if (motion::Curve::problem(feature.curve, feature.destination, feature.closed)) return false;
-  return feature.closed || ends_meet(feature.source) == ends_meet(feature.destination);
+bool is_closed(const Feature& feature) {
+  const auto* curve = std::get_if<project::Curve>(&feature.mark);
+  return curve != nullptr && curve->closed;
 }
 
-bool move_point(Feature& feature, SideName side, std::size_t point, cv::Point2d to) {
+bool sound(const Feature& feature) {
+  const auto good = [&](const Points& points) { return within_limits(points) && fits(feature.mark, points); };
+  if (!std::ranges::all_of(feature.places, good)) return false;
+  if (std::holds_alternative<project::Point>(feature.mark) || is_closed(feature)) return true;
+  return std::ranges::all_of(
+      feature.places, [&](const Points& points) { return ends_meet(points) == ends_meet(feature.places.front()); });
+}
+
+bool move_point(Feature& feature, SideIndex side, std::size_t point, cv::Point2d to) {
   Points& points = points_of(feature, side);
   if (point >= points.size() || !finite(to)) return false;
   const bool both_ends = is_joined(feature) && (point == 0 || point + 1 == points.size());
@@ -84,7 +97,7 @@ bool move_point(Feature& feature, SideName side, std::size_t point, cv::Point2d 
   return good;
 }
 
-bool move_all(Feature& feature, SideName side, cv::Point2d by) {
+bool move_all(Feature& feature, SideIndex side, cv::Point2d by) {
   Points& points = points_of(feature, side);
   if (!finite(by)) return false;
   const auto [left, right] = std::ranges::minmax(points, {}, &cv::Point2d::x);
@@ -97,20 +110,21 @@ bool move_all(Feature& feature, SideName side, cv::Point2d by) {
   return good;
 }
 
-void reverse(Feature& feature, SideName side) {
+void reverse(Feature& feature, SideIndex side) {
   Points& points = points_of(feature, side);
-  std::reverse(points.begin() + (feature.closed ? 1 : 0), points.end());
+  std::reverse(points.begin() + (is_closed(feature) ? 1 : 0), points.end());
 }
 
-std::string_view word_for(FeatureKind kind) {
-  return kind == FeatureKind::kLine ? "line" : kind == FeatureKind::kPoint ? "point" : "curve";
+std::string_view word_for(const Mark& mark) {
+  constexpr std::array kWords{"line", "point", "curve"};
+  return kWords[mark.index()];
 }
 
-std::string free_id(const project::Project& project, FeatureKind kind) {
+std::string free_id(const project::Project& project, const Mark& mark) {
   std::set<std::string_view> taken;
   for (const Feature& feature : project.features) taken.insert(feature.id);
   for (std::size_t number = 1;; ++number) {
-    std::string id = fmt::format("{} {}", word_for(kind), number);
+    std::string id = fmt::format("{} {}", word_for(mark), number);
     if (!taken.contains(id)) return id;
   }
 }

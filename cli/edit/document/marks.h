@@ -11,10 +11,10 @@
 
 namespace morphkit::edit {
 
-using Points = std::vector<cv::Point2d>;
+using project::Points;
 
-Points& points_of(project::Feature& feature, render::SideName side);
-const Points& points_of(const project::Feature& feature, render::SideName side);
+Points& points_of(project::Feature& feature, project::SideIndex side);
+const Points& points_of(const project::Feature& feature, project::SideIndex side);
 
 bool finite(cv::Point2d point);
 
@@ -24,25 +24,28 @@ cv::Point2d settled(cv::Point2d point);
 /// Within +-kMaxCoordinate. @pre finite.
 cv::Point2d kept(cv::Point2d point);
 
+/// Whether the mark is a closed curve.
+bool is_closed(const project::Feature& feature);
+
 /// Whether the project file takes the places of the feature: both sides are points or lines or curves of the kind that
 /// it says, within kMaxCoordinate.
 bool sound(const project::Feature& feature);
 
 /// Moves one point; both ends of an open curve or of a line that lie at the same place on both sides move together.
 /// @return whether what came out is sound; if not, the feature is unchanged.
-bool move_point(project::Feature& feature, render::SideName side, std::size_t point, cv::Point2d to);
+bool move_point(project::Feature& feature, project::SideIndex side, std::size_t point, cv::Point2d to);
 
 /// Moves all points of a side, shape and all, as far as the limits let it. @return as move_point.
-bool move_all(project::Feature& feature, render::SideName side, cv::Point2d by);
+bool move_all(project::Feature& feature, project::SideIndex side, cv::Point2d by);
 
 /// Lets a side run the other way round; a closed curve keeps its first point.
-void reverse(project::Feature& feature, render::SideName side);
+void reverse(project::Feature& feature, project::SideIndex side);
 
 /// "line", "point" or "curve".
-std::string_view word_for(project::FeatureKind kind);
+std::string_view word_for(const project::Mark& mark);
 
 /// "line 3": with the smallest number that makes it one that no feature has.
-std::string free_id(const project::Project& project, project::FeatureKind kind);
+std::string free_id(const project::Project& project, const project::Mark& mark);
 
 /// What is wrong with a name of a feature or a group as a name, or an empty string.
 std::string problem_of_name(const std::string& name);

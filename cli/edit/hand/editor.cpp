@@ -13,8 +13,8 @@ namespace morphkit::edit {
 namespace {
 
 EdgeFinder edges_of(const Pyramid& source, const Pyramid& destination) {
-  return [&](SideName side, cv::Point2d position, double radius, double zoom) {
-    return strongest_edge(side == SideName::kSource ? source : destination, position, radius, zoom);
+  return [&](SideIndex side, cv::Point2d position, double radius, double zoom) {
+    return strongest_edge(side == kSource ? source : destination, position, radius, zoom);
   };
 }
 
@@ -23,9 +23,9 @@ bool same_view(const PreviewRequest& a, const PreviewRequest& b) {
 }
 
 /// Whether both name the same files, however they spell them.
-bool same_picture(const project::Project& a, const project::Side& of_a, const project::Project& b,
-                  const project::Side& of_b) {
-  project::Side renamed = of_a;
+bool same_picture(const project::Project& a, const project::Picture& of_a, const project::Project& b,
+                  const project::Picture& of_b) {
+  project::Picture renamed = of_a;
   renamed.image = of_b.image;
   std::error_code error;
   return renamed == of_b &&
@@ -34,7 +34,9 @@ bool same_picture(const project::Project& a, const project::Side& of_a, const pr
 }
 
 bool same_pictures(const project::Project& a, const project::Project& b) {
-  return same_picture(a, a.source, b, b.source) && same_picture(a, a.destination, b, b.destination);
+  return std::ranges::equal(a.pictures, b.pictures, [&](const project::Picture& of_a, const project::Picture& of_b) {
+    return same_picture(a, of_a, b, of_b);
+  });
 }
 
 /// What has no file yet begins empty: features that it came with are the first change.
@@ -62,7 +64,7 @@ Editor::Editor(project::Project project, const render::Pictures& pictures, cv::S
   model_.fit_views();
   model_.file_name = storage_.file().filename().string();
   model_.welcome = loaded.features.empty() && !loaded.mesh;
-  if (loaded.mesh && project::method_of(loaded) == project::Method::kMesh) model_.tool = Tool::kMesh;
+  if (loaded.mesh && project::method_name_of(loaded) == project::MethodName::kMesh) model_.tool = Tool::kMesh;
   if (!model_.document.changed()) kept_revision_ = model_.document.revision();
   leftover_ = storage_.leftover();
   if (leftover_) meet_leftover();

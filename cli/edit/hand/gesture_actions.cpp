@@ -35,8 +35,8 @@ std::optional<Wish> Gestures::act(Action action, int value) {
       model_.document.untune();
       break;
     case Action::kMethod: {
-      const bool mesh = model_.document.method() == project::Method::kMesh;
-      model_.document.set_method(mesh ? project::Method::kLines : project::Method::kMesh);
+      const bool mesh = model_.document.method() == project::MethodName::kMesh;
+      model_.document.set_method(mesh ? project::MethodName::kLines : project::MethodName::kMesh);
       break;
     }
     case Action::kAddColumn:
@@ -110,7 +110,7 @@ void Gestures::end_curve(bool closed) {
 }
 
 void Gestures::tell_of_new() {
-  const bool idle = model_.document.method() == project::Method::kMesh;
+  const bool idle = model_.document.method() == project::MethodName::kMesh;
   say(fmt::format(
       "{}: {}", model_.document.project().features.back().id,
       idle ? "does nothing while the mesh warps; \"Warp: mesh\" below changes that" : "put its partner right"));
@@ -155,8 +155,7 @@ void Gestures::select_all() {
 void Gestures::select_next() {
   const Document& document = model_.document;
   const bool mesh = model_.tool == Tool::kMesh;
-  const std::size_t count =
-      mesh ? document.mesh_vertices(SideName::kSource).size() : document.project().features.size();
+  const std::size_t count = mesh ? document.mesh_vertices(kSource).size() : document.project().features.size();
   if (count == 0) return;
   const std::vector<int>& selected = mesh ? document.selection().vertices : document.selection().features;
   const int next = selected.empty() ? 0 : (selected.back() + 1) % static_cast<int>(count);
@@ -191,7 +190,7 @@ void Gestures::add_to_mesh(bool column) {
 
 void Gestures::add_to_largest_gap(bool column) {
   const project::Mesh& mesh = *model_.document.project().mesh;
-  const std::vector<cv::Point2d> vertices = model_.document.mesh_vertices(SideName::kSource);
+  const std::vector<cv::Point2d> vertices = model_.document.mesh_vertices(kSource);
   const auto at = [&](int i) {
     return vertices[static_cast<std::size_t>(column ? (mesh.rows / 2) * mesh.columns + i
                                                     : i * mesh.columns + mesh.columns / 2)];

@@ -132,7 +132,7 @@ std::optional<Wish> Gestures::press_key(int key) {
 }
 
 void Gestures::nudge(int key) {
-  const SideName side = side_at_hand();
+  const SideIndex side = side_at_hand();
   const double zoom = model_.view(pane_of(side)).zoom;
   const double px = 1 / zoom;
   const cv::Point2d by = rounded(key == 'i'   ? cv::Point2d(0, -px)

@@ -136,16 +136,16 @@ void Gestures::press_handle(const Handle& handle, const Mouse& mouse) {
   drag_ = vertex ? Drag::kVertices : handle.point >= 0 ? Drag::kPoint : Drag::kFeatures;
   from_ = position_of(model_.document, handle);
   begin_step();
-  if (!vertex || model_.document.method() == project::Method::kMesh) return;
+  if (!vertex || model_.document.method() == project::MethodName::kMesh) return;
   say("the lines warp: \"Warp: lines\" below lets the mesh do it");
 }
 
 void Gestures::press_blank(const Mouse& mouse) {
-  const SideName side = side_of(pane_);
+  const SideIndex side = side_of(pane_);
   Document& document = model_.document;
   model_.switches.features = true;
   if (model_.tool == Tool::kMesh && !document.has_mesh()) {
-    document.set_method(project::Method::kMesh);
+    document.set_method(project::MethodName::kMesh);
     return say("a mesh on both pictures: drag its vertices");
   }
   if (mouse.shift || model_.tool == Tool::kSelect || model_.tool == Tool::kMesh) {
@@ -213,7 +213,7 @@ void Gestures::drag_to(const Mouse& mouse) {
 }
 
 void Gestures::drag_held(const Mouse& mouse, cv::Point2d by) {
-  const SideName side = side_of(pane_);
+  const SideIndex side = side_of(pane_);
   Document& document = model_.document;
   if (drag_ == Drag::kPoint) {
     const cv::Point2d to = by == cv::Point2d() ? from_ : snapped(from_ + by, mouse, model_.held->feature);
@@ -363,7 +363,7 @@ cv::Point2d Gestures::content_at(cv::Point position) const {
 
 cv::Point2d Gestures::snapped(cv::Point2d position, const Mouse& mouse, int except) {
   model_.snapped.reset();
-  const SideName side = side_of(pane_);
+  const SideIndex side = side_of(pane_);
   const double zoom = model_.view(pane_).zoom;
   if (!model_.switches.snap || mouse.alt) return rounded(position, zoom);
   const double px = layout_.scale / zoom;
@@ -373,7 +373,7 @@ cv::Point2d Gestures::snapped(cv::Point2d position, const Mouse& mouse, int exce
   return rounded(model_.snapped.value_or(position), zoom);
 }
 
-SideName Gestures::side_at_hand() const {
+SideIndex Gestures::side_at_hand() const {
   const std::optional<Pane> pane = layout_.pane_at(model_.mouse);
   if (pane && *pane != Pane::kResult) return side_of(*pane);
   return model_.held ? model_.held->side : side_;

@@ -42,7 +42,7 @@ enum class Wish { kSave, kClose };
 /// Where to snap on a picture: the strongest edge within `radius` px of a position of its side, or nothing.
 /// @param zoom  at which the picture is looked at.
 using EdgeFinder =
-    std::function<std::optional<cv::Point2d>(SideName side, cv::Point2d position, double radius, double zoom)>;
+    std::function<std::optional<cv::Point2d>(SideIndex side, cv::Point2d position, double radius, double zoom)>;
 
 /// How near ends and edges must be to be snapped to, in units of Layout::scale.
 inline constexpr double kEndReach = 8;
@@ -118,18 +118,18 @@ class Gestures {
   void select(Selection selection);
   cv::Point2d content_at(cv::Point position) const;  ///< of `pane_`
   cv::Point2d snapped(cv::Point2d position, const Mouse& mouse, int except);
-  SideName side_at_hand() const;  ///< under the mouse, else where something is held, else of the last press
+  SideIndex side_at_hand() const;  ///< under the mouse, else where something is held, else of the last press
 
   Model& model_;
   EdgeFinder edges_;
   Layout layout_;  ///< at the last event
   Drag drag_ = Drag::kNothing;
-  Pane pane_ = Pane::kSource;          ///< where the press was
-  SideName side_ = SideName::kSource;  ///< where the last press on a picture was
-  cv::Point pressed_;                  ///< canvas px
-  cv::Point2d last_;                   ///< content px up to which the drag has been followed
-  cv::Point2d began_;                  ///< content px of the press
-  cv::Point2d from_;                   ///< where the point that is held was at the press, px of the picture
+  Pane pane_ = Pane::kSource;  ///< where the press was
+  SideIndex side_ = kSource;   ///< where the last press on a picture was
+  cv::Point pressed_;          ///< canvas px
+  cv::Point2d last_;           ///< content px up to which the drag has been followed
+  cv::Point2d began_;          ///< content px of the press
+  cv::Point2d from_;           ///< where the point that is held was at the press, px of the picture
   Widget slider_;
   bool dragged_ = false;  ///< the mouse has gone further since the press than a click may
   bool adding_ = false;   ///< a rubber band adds to the selection

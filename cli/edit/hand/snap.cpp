@@ -107,7 +107,7 @@ cv::Point2d rounded(cv::Point2d position, double zoom) {
   return {std::round(position.x * steps) / steps, std::round(position.y * steps) / steps};
 }
 
-std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
+std::optional<cv::Point2d> nearest_end(const Document& document, SideIndex side, cv::Point2d position, double radius,
                                        int except) {
   std::optional<cv::Point2d> nearest;
   double least = radius;

@@ -15,7 +15,7 @@ namespace morphkit::edit {
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom);
 
 /// The nearest point of the features on that side within `radius` px, but for those of `except`.
-std::optional<cv::Point2d> nearest_end(const Document& document, SideName side, cv::Point2d position, double radius,
+std::optional<cv::Point2d> nearest_end(const Document& document, SideIndex side, cv::Point2d position, double radius,
                                        int except);
 
 /// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.

@@ -52,8 +52,8 @@ const cv::Mat3b& Canvas::draw(const Model& model, const PreviewPicture& preview)
   const Layout layout = layout_beneath(model);
   canvas_.create(model.canvas_size);
   fill(canvas_, {{0, 0}, canvas_.size()}, palette::kBackground);
-  draw_picture(model, layout, SideName::kSource);
-  draw_picture(model, layout, SideName::kDestination);
+  draw_picture(model, layout, kSource);
+  draw_picture(model, layout, kDestination);
   draw_result(model, layout, preview);
   draw_chrome(canvas_, model, layout, preview, type_);
   if (model.switches.loupe && !model.help && !model.question) draw_loupe(canvas_, model, layout, source_, destination_);
@@ -63,13 +63,13 @@ const cv::Mat3b& Canvas::draw(const Model& model, const PreviewPicture& preview)
   return canvas_;
 }
 
-void Canvas::draw_picture(const Model& model, const Layout& layout, SideName side) {
+void Canvas::draw_picture(const Model& model, const Layout& layout, SideIndex side) {
   const Pane pane = pane_of(side);
   const cv::Rect& rect = layout.pane(pane);
   std::optional<Shown>& shown = shown_[static_cast<int>(pane)];
   const View& view = model.view(pane);
   if (!shown || shown->view != view || shown->pixels.size() != rect.size())
-    shown = Shown{view, seen(side == SideName::kSource ? source_ : destination_, view, rect.size())};
+    shown = Shown{view, seen(side == kSource ? source_ : destination_, view, rect.size())};
   cv::Mat3b target = canvas_(rect);
   shown->pixels.copyTo(target);
   draw_marks(target, model, side, layout.scale, type_);
@@ -87,7 +87,7 @@ void Canvas::draw_result(const Model& model, const Layout& layout, const Preview
   const cv::Rect area = preview.area & cv::Rect({0, 0}, target.size());
   if (preview.image.empty() || area.empty() || area != preview.area) return;  // or of a pane that had another size
   cv::resize(preview.image, target(area), area.size(), 0, 0, cv::INTER_LINEAR);
-  const bool lines = model.document.method() == project::Method::kLines;
+  const bool lines = model.document.method() == project::MethodName::kLines;
   if (model.switches.features && lines) draw_between(target, model, pairs_of(model), layout.scale);
 }
 
@@ -95,10 +95,10 @@ const std::vector<render::LinePair>& Canvas::pairs_of(const Model& model) {
   if (paired_revision_ != model.document.revision()) {
     const project::Project& project = model.document.project();
     const cv::Size canvas = model.content_size(Pane::kResult);
-    const auto placed = [&](SideName side) {
+    const auto placed = [&](SideIndex side) {
       return render::place(model.document.picture_size(side), canvas, project.output.fit);
     };
-    pairs_ = render::line_pairs(project, placed(SideName::kSource), placed(SideName::kDestination));
+    pairs_ = render::line_pairs(project, placed(kSource), placed(kDestination));
     paired_revision_ = model.document.revision();
   }
   return pairs_;

@@ -32,7 +32,7 @@ class Canvas {
     cv::Mat3b pixels;
   };
 
-  void draw_picture(const Model& model, const Layout& layout, SideName side);
+  void draw_picture(const Model& model, const Layout& layout, SideIndex side);
   void draw_result(const Model& model, const Layout& layout, const PreviewPicture& preview);
   const std::vector<render::LinePair>& pairs_of(const Model& model);
 

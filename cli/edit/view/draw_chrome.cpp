@@ -71,8 +71,8 @@ void draw_titles(const Scribe& scribe, const Model& model) {
     rect.width -= used;
     scribe.left(rect, file.filename().string(), palette::kQuiet);
   };
-  title(Pane::kSource, "Source", project.source.image);
-  title(Pane::kDestination, "Destination", project.destination.image);
+  title(Pane::kSource, "Source", project.pictures[project::kSource].image);
+  title(Pane::kDestination, "Destination", project.pictures[project::kDestination].image);
 }
 
 std::string_view hint(const Model& model) {

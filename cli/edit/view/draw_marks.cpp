@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "cli/edit/document/marks.h"
 #include "cli/edit/view/paint.h"
 #include "cli/edit/view/picking.h"
 #include "morph/render/morpher.h"
@@ -91,17 +92,17 @@ void draw_number(const Pen& pen, cv::Point2d at, int feature, const Look& look) 
                 mixed(look.color, palette::kLight, 0.4));
 }
 
-void draw_feature(const Pen& pen, const Model& model, SideName side, int index) {
+void draw_feature(const Pen& pen, const Model& model, SideIndex side, int index) {
   const project::Feature& feature = model.document.project().features[static_cast<std::size_t>(index)];
   const Look look = look_of(model, index);
-  const std::vector<cv::Point2d> points = pen.at(side == SideName::kSource ? feature.source : feature.destination);
+  const std::vector<cv::Point2d> points = pen.at(points_of(feature, side));
   const std::vector<cv::Point2d> outline = pen.at(outline_of(feature, side));
   if (outline.size() > 1) {
     pen.cased(outline, look.color, look.casing, look.thickness);
-    if (!feature.closed) draw_arrow(pen, outline, look);
+    if (!is_closed(feature)) draw_arrow(pen, outline, look);
   }
-  const bool point = feature.kind == project::FeatureKind::kPoint;
-  const bool few = feature.kind != project::FeatureKind::kCurve || look.marked;
+  const bool point = std::holds_alternative<project::Point>(feature.mark);
+  const bool few = !std::holds_alternative<project::Curve>(feature.mark) || look.marked;
   for (const cv::Point2d& at : points) {
     pen.handle(at, look.color, look.casing, few ? 4.2 : 2.6);
     if (point) ring(pen.pane, at, 8.5 * pen.scale, look.color, pen.px(1.6));
@@ -113,7 +114,7 @@ void draw_feature(const Pen& pen, const Model& model, SideName side, int index) 
     draw_number(pen, outline[outline.size() / 2], index, look);
 }
 
-void draw_mesh(const Pen& pen, const Model& model, SideName side) {
+void draw_mesh(const Pen& pen, const Model& model, SideIndex side) {
   const project::Mesh& mesh = *model.document.project().mesh;
   const std::vector<cv::Point2d> vertices = pen.at(model.document.mesh_vertices(side));
   const auto vertex = [&](int column, int row) {
@@ -161,9 +162,9 @@ void draw_sketch(const Pen& pen, const Sketch& sketch, int next) {
     std::vector<cv::Point2d> through = sketch.points;
     if (sketch.next != through.back()) through.push_back(sketch.next);
     project::Feature curve;
-    curve.kind = project::FeatureKind::kCurve;
-    curve.source = through;
-    pen.cased(pen.at(outline_of(curve, SideName::kSource)), color, palette::kDark, 2);
+    curve.mark = project::Curve{};
+    curve.places[project::kSource] = through;
+    pen.cased(pen.at(outline_of(curve, kSource)), color, palette::kDark, 2);
     if (points.size() > 2) ring(pen.pane, points.front(), 9 * pen.scale, palette::kLight, pen.px(1.6));
   } else {
     pen.cased(points, color, palette::kDark, 2);
@@ -181,11 +182,11 @@ void draw_snapped(const Pen& pen, cv::Point2d picture) {
 
 }  // namespace
 
-void draw_marks(cv::Mat3b& pane, const Model& model, SideName side, double scale, const Type& type) {
+void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scale, const Type& type) {
   const Pen pen{pane, model.view(pane_of(side)), scale, type};
   const bool mesh = model.tool == Tool::kMesh;
   if (model.switches.features) {
-    if (model.document.has_mesh() && (mesh || model.document.method() == project::Method::kMesh))
+    if (model.document.has_mesh() && (mesh || model.document.method() == project::MethodName::kMesh))
       draw_mesh(pen, model, side);
     const int count = static_cast<int>(model.document.project().features.size());
     // What is marked lies on top.
@@ -194,7 +195,7 @@ void draw_marks(cv::Mat3b& pane, const Model& model, SideName side, double scale
         if (look_of(model, i).marked == marked) draw_feature(pen, model, side, i);
   }
   const std::optional<Handle>& held = model.held;
-  const SideName active = model.sketch ? model.sketch->side : held ? held->side : side;
+  const SideIndex active = model.sketch ? model.sketch->side : held ? held->side : side;
   if (model.sketch && model.sketch->side == side)
     draw_sketch(pen, *model.sketch, static_cast<int>(model.document.project().features.size()));
   if (model.snapped && active == side) draw_snapped(pen, *model.snapped);

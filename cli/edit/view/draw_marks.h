@@ -13,7 +13,7 @@
 namespace morphkit::edit {
 
 /// On a picture: features or mesh, the sketch, what it has snapped to.
-void draw_marks(cv::Mat3b& pane, const Model& model, SideName side, double scale, const Type& type);
+void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scale, const Type& type);
 
 /// On the result: the in-between lines of the moment, or of five with the onion skin.
 void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render::LinePair>& pairs, double scale);

@@ -135,7 +135,7 @@ void add_tuning(Layout& layout, const Model& model) {
   row.add(Action::kDissolve, 0, "Mix: " + easing_name(document.timing(Progress::kDissolve).easing), kEasing);
   row.add(Action::kInherit, 0, "Inherit").enabled = !model.document.selection().features.empty();
   row.gap();
-  const bool mesh = document.method() == project::Method::kMesh;
+  const bool mesh = document.method() == project::MethodName::kMesh;
   row.add(Action::kMethod, 0, mesh ? "Warp: mesh" : "Warp: lines", width_of("Warp: lines"));
 }
 

@@ -5,8 +5,8 @@
 namespace morphkit::edit {
 
 cv::Size Model::content_size(Pane pane) const {
-  if (pane == Pane::kResult) return render::canvas_size(document.project(), document.picture_size(SideName::kSource));
-  return document.picture_size(pane == Pane::kSource ? SideName::kSource : SideName::kDestination);
+  if (pane == Pane::kResult) return render::canvas_size(document.project(), document.picture_size(kSource));
+  return document.picture_size(pane == Pane::kSource ? kSource : kDestination);
 }
 
 void Model::fit_views() {

@@ -19,7 +19,7 @@ enum class Show { kDissolve, kSource, kDestination, kDifference, kGrid };
 
 /// Something that can be held: a point of a feature, a whole feature, or a vertex of the mesh.
 struct Handle {
-  SideName side = SideName::kSource;
+  SideIndex side = kSource;
   int feature = -1;  ///< -1: a vertex
   int point = -1;    ///< of the feature; -1: the whole of it
   int vertex = -1;   ///< -1: a feature
@@ -29,7 +29,7 @@ struct Handle {
 /// What is being drawn and is no feature yet.
 struct Sketch {
   Tool tool = Tool::kLine;  ///< kSelect: a rubber band; kLine; kCurve
-  SideName side = SideName::kSource;
+  SideIndex side = kSource;
   std::vector<cv::Point2d> points;  ///< picture px; band: two corners; line: two ends; curve: those clicked so far
   cv::Point2d next;                 ///< curve: where the next click would put a point
 };

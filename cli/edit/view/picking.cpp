@@ -36,7 +36,7 @@ struct Nearest {
   }
 };
 
-std::optional<Handle> vertex_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+std::optional<Handle> vertex_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
   const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -44,7 +44,7 @@ std::optional<Handle> vertex_at(const Document& document, SideName side, cv::Poi
   return nearest.handle;
 }
 
-std::optional<Handle> point_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+std::optional<Handle> point_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
   const auto& features = document.project().features;
   for (std::size_t f = 0; f < features.size(); ++f) {
@@ -55,7 +55,7 @@ std::optional<Handle> point_at(const Document& document, SideName side, cv::Poin
   return nearest.handle;
 }
 
-std::optional<Handle> body_at(const Document& document, SideName side, cv::Point2d at, double reach) {
+std::optional<Handle> body_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
   const auto& features = document.project().features;
   for (std::size_t f = 0; f < features.size(); ++f) {
@@ -78,12 +78,12 @@ cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::P
   return cv::Point2d(rect.tl()) + model.view(pane).to_pane(content, rect.size());
 }
 
-std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName side) {
+std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex side) {
   const std::vector<cv::Point2d>& points = points_of(feature, side);
-  if (feature.kind != project::FeatureKind::kCurve) return points;
-  if (motion::Curve::problem(feature.curve, points, feature.closed)) return points;
-  const motion::Curve curve(feature.curve, points, feature.closed);
-  const int pieces = curve.segments() * (feature.curve == motion::CurveKind::kPolyline ? 1 : kPiecesPerSegment);
+  const auto* mark = std::get_if<project::Curve>(&feature.mark);
+  if (mark == nullptr || motion::Curve::problem(mark->kind, points, mark->closed)) return points;
+  const motion::Curve curve(mark->kind, points, mark->closed);
+  const int pieces = curve.segments() * (mark->kind == motion::CurveKind::kPolyline ? 1 : kPiecesPerSegment);
   std::vector<cv::Point2d> outline;
   outline.reserve(static_cast<std::size_t>(pieces) + 1);
   for (int i = 0; i <= pieces; ++i) outline.push_back(curve.at(static_cast<double>(i) * curve.segments() / pieces));
@@ -93,7 +93,7 @@ std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName si
 std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas) {
   const std::optional<Pane> pane = layout.pane_at(canvas);
   if (!pane || *pane == Pane::kResult || !model.switches.features) return std::nullopt;
-  const SideName side = side_of(*pane);
+  const SideIndex side = side_of(*pane);
   const cv::Point2d at = to_content(model, layout, *pane, canvas);
   const double px = layout.scale / model.view(*pane).zoom;
   if (model.tool == Tool::kMesh) return vertex_at(model.document, side, at, kHandleReach * px);
@@ -107,7 +107,7 @@ cv::Point2d position_of(const Document& document, const Handle& handle) {
   return points_of(feature, handle.side)[static_cast<std::size_t>(std::max(0, handle.point))];
 }
 
-std::optional<MeshPlace> mesh_place_at(const Document& document, SideName side, cv::Point2d position) {
+std::optional<MeshPlace> mesh_place_at(const Document& document, SideIndex side, cv::Point2d position) {
   if (!document.has_mesh()) return std::nullopt;
   const int columns = document.project().mesh->columns;
   const int rows = document.project().mesh->rows;

@@ -14,11 +14,11 @@ inline constexpr double kHandleReach = 9;
 inline constexpr double kBodyReach = 6;
 
 /// The side of a pane with a picture.
-inline SideName side_of(Pane pane) {
-  return pane == Pane::kDestination ? SideName::kDestination : SideName::kSource;
+inline SideIndex side_of(Pane pane) {
+  return pane == Pane::kDestination ? kDestination : kSource;
 }
-inline Pane pane_of(SideName side) {
-  return side == SideName::kDestination ? Pane::kDestination : Pane::kSource;
+inline Pane pane_of(SideIndex side) {
+  return side == kDestination ? Pane::kDestination : Pane::kSource;
 }
 
 /// A canvas position as one of the content of a pane, and back.
@@ -27,7 +27,7 @@ cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::P
 
 /// The marks of a feature on a side as a polyline, px of the picture: its ends, or a curve flattened so that it looks
 /// smooth at any zoom.
-std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideName side);
+std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex side);
 
 /// What a press at a canvas position would hold: the nearest point within kHandleReach, else the nearest feature within
 /// kBodyReach. With the mesh tool the vertices are what can be held, with the others the features;
@@ -42,6 +42,6 @@ struct MeshPlace {
   int column = 0, row = 0;      ///< of the vertex before
   double across = 0, down = 0;  ///< in [0, 1]
 };
-std::optional<MeshPlace> mesh_place_at(const Document& document, SideName side, cv::Point2d position);
+std::optional<MeshPlace> mesh_place_at(const Document& document, SideIndex side, cv::Point2d position);
 
 }  // namespace morphkit::edit

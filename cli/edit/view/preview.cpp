@@ -60,7 +60,7 @@ render::Stage halved(render::Stage stage) {
 
 /// One picture warped to the moment, without the other.
 warp::Image warped(const render::Morpher& morpher, const PreviewRequest& request, const render::Stage& stage,
-                   SideName name) {
+                   SideIndex name) {
   const render::StageSide& side = stage.side(name);
   warp::Map map = morpher.map(request.t, name);
   render::bring_to_held(side, map);
@@ -97,12 +97,12 @@ void draw_grid(const warp::Map& map, double cell, cv::Mat3b& screen) {
   });
 }
 
-bool shows(const render::Morpher& morpher, const PreviewRequest& request, SideName name) {
+bool shows(const render::Morpher& morpher, const PreviewRequest& request, SideIndex name) {
   switch (request.show) {
     case Show::kSource:
-      return name == SideName::kSource;
+      return name == kSource;
     case Show::kDestination:
-      return name == SideName::kDestination;
+      return name == kDestination;
     case Show::kDifference:
       return true;
     case Show::kDissolve:
@@ -117,7 +117,7 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
   const render::Stage coarse = halved(stage);
   const auto morpher = render::make_morpher(*request.project, coarse, true);
   cv::Mat1b folded(coarse.size, uchar{0});
-  for (const SideName side : {SideName::kSource, SideName::kDestination}) {
+  for (const SideIndex side : {kSource, kDestination}) {
     if (shows(*morpher, request, side)) folded |= warp::jacobian_determinant(morpher->map(request.t, side)) <= 0;
   }
   const int count = cv::countNonZero(folded);
@@ -135,13 +135,13 @@ cv::Mat3b shown(const PreviewRequest& request, const render::Stage& stage) {
   const auto morpher = render::make_morpher(*request.project, stage, true);
   switch (request.show) {
     case Show::kSource:
-      return to_screen(warped(*morpher, request, stage, SideName::kSource));
+      return to_screen(warped(*morpher, request, stage, kSource));
     case Show::kDestination:
-      return to_screen(warped(*morpher, request, stage, SideName::kDestination));
+      return to_screen(warped(*morpher, request, stage, kDestination));
     case Show::kDifference: {
       cv::Mat3b difference;
-      cv::absdiff(to_screen(warped(*morpher, request, stage, SideName::kSource)),
-                  to_screen(warped(*morpher, request, stage, SideName::kDestination)), difference);
+      cv::absdiff(to_screen(warped(*morpher, request, stage, kSource)),
+                  to_screen(warped(*morpher, request, stage, kDestination)), difference);
       return difference;
     }
     case Show::kDissolve:
@@ -154,7 +154,7 @@ cv::Mat3b shown(const PreviewRequest& request, const render::Stage& stage) {
   if (request.show == Show::kGrid) {
     screen *= 0.6;
     const cv::Size size = stage.source.file_size;
-    draw_grid(morpher->map(request.t, SideName::kSource), std::max(size.width, size.height) / kGridCells, screen);
+    draw_grid(morpher->map(request.t, kSource), std::max(size.width, size.height) / kGridCells, screen);
   }
   return screen;
 }

@@ -222,8 +222,8 @@ TEST(XmorphMesh, WritesWholeTenthsWithTheBorderOnTheOutermostPixels) {
 class Import : public ::testing::Test {
  protected:
   Import() {
-    project_.source.image = "a.png";
-    project_.destination.image = "b.png";
+    project_.pictures[project::kSource].image = "a.png";
+    project_.pictures[project::kDestination].image = "b.png";
   }
   ImportInput input(const std::string& a, const std::string& b) const {
     return {{folder_ / a, folder_ / b}, {101, 51}, {201, 101}};
@@ -251,10 +251,10 @@ TEST_F(Import, BothSidesBecomeTheMeshOfTheProject) {
   ASSERT_EQ(report.remarks.size(), 2U);
   EXPECT_EQ(report.remarks[0], (folder_ / "B.MESH").string() + ": drawn on 101 x 51 pixels, stretched to 201 x 101");
   EXPECT_TRUE(contains(report.remarks[1], "mirror"));
-  EXPECT_EQ(method_of(project_), project::Method::kMesh);
+  EXPECT_EQ(method_name_of(project_), project::MethodName::kMesh);
   ASSERT_TRUE(project_.mesh);
-  EXPECT_EQ(project_.mesh->source, parsed(kMesh, {101, 51}).vertices);
-  EXPECT_EQ(project_.mesh->destination, parsed(kMesh, {201, 101}).vertices);
+  EXPECT_EQ(project_.mesh->vertices[project::kSource], parsed(kMesh, {101, 51}).vertices);
+  EXPECT_EQ(project_.mesh->vertices[project::kDestination], parsed(kMesh, {201, 101}).vertices);
   EXPECT_TRUE(same_document(project::parse(project::to_text(project_), ""), project_));
 }
 
@@ -295,22 +295,22 @@ TEST_F(Import, WrongFilesAreRefused) {
 TEST_F(Import, WhatIsExportedComesBack) {
   std::mt19937 random(7);
   const warp::Mesh source = random_mesh(random, {101, 51});
-  project_.mesh = project::Mesh{source.columns, source.rows, source.vertices, {}, {}};
-  project_.groups = {{"g", {}}};
+  project_.mesh = project::Mesh{source.columns, source.rows, {source.vertices, {}}, {}};
+  project_.groups = {{"g", {}, {}}};
   project_.mesh->groups = {{"g", {{0, 0}}}};
   const std::vector<std::string> remarks = export_to(project_, output("a.mesh", "b.mesh"));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_TRUE(contains(remarks[0], "groups"));
   project::Project back = project_;
   import_into(back, input("a.mesh", "b.mesh"));
-  EXPECT_LE(largest_distance(back.mesh->source, source.vertices), 0.05 + 1e-9);
+  EXPECT_LE(largest_distance(back.mesh->vertices[project::kSource], source.vertices), 0.05 + 1e-9);
   const warp::Mesh even = warp::uniform_mesh(source.columns, source.rows, {0, 0, 201, 101});
-  EXPECT_LE(largest_distance(back.mesh->destination, even.vertices), 0.05 + 1e-9);
+  EXPECT_LE(largest_distance(back.mesh->vertices[project::kDestination], even.vertices), 0.05 + 1e-9);
   EXPECT_EQ(folder_.names().size(), 2U);
 }
 
 TEST_F(Import, ExportReplacesBothOrNeither) {
-  project_.mesh = project::Mesh{2, 2, {}, {}, {}};
+  project_.mesh = project::Mesh{2, 2, {{}, {}}, {}};
   write_text(folder_ / "b.mesh", "mine");
   EXPECT_EQ(error_of([&] { export_to(project_, output("a.mesh", "b.mesh")); }).code(), ErrorCode::kIo);
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"b.mesh"});
@@ -321,7 +321,7 @@ TEST_F(Import, ExportReplacesBothOrNeither) {
 
 TEST_F(Import, WhatTheFormatCannotHoldIsRefusedOrToldOf) {
   EXPECT_TRUE(contains(error_of([&] { export_to(project_, output("a.mesh", "b.mesh")); }).what(), "has no \"mesh\""));
-  project_.mesh = project::Mesh{2, 2, {}, {}, {}};
+  project_.mesh = project::Mesh{2, 2, {{}, {}}, {}};
   ExportOutput narrow = output("a.mesh", "b.mesh");
   narrow.destination_size = {1, 90};
   EXPECT_TRUE(contains(error_of([&] { export_to(project_, narrow); }).what(), "1 x 90"));

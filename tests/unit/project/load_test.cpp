@@ -51,31 +51,28 @@ void expect_syntax_error(const std::string& text, const std::string& place, cons
 TEST(Load, EverythingThatAProjectCanSay) {
   const Project project = parse(testing::kFull, "dir/pair.json");
   EXPECT_EQ(project.file, "dir/pair.json");
-  EXPECT_EQ(project.source, (Side{"cat.png", "srgb"}));
-  EXPECT_EQ(project.destination, (Side{"tiger.png", ""}));
+  EXPECT_EQ(project.pictures[project::kSource], (Picture{"source", "cat.png", "srgb"}));
+  EXPECT_EQ(project.pictures[project::kDestination], (Picture{"destination", "tiger.png", ""}));
 
   ASSERT_EQ(project.groups.size(), 1U);
-  Influence face;
+  Pull face;
   face.b = 1.5;
-  face.shape = motion::Timing{motion::CubicBezierEase{0.42, 0, 0.58, 1}, 0, 1};
-  EXPECT_EQ(project.groups[0], (Group{"face", face}));
+  const motion::Timing timing{motion::CubicBezierEase{0.42, 0, 0.58, 1}, 0, 1};
+  EXPECT_EQ(project.groups[0], (Group{"face", face, Pace{timing, std::nullopt}}));
 
   ASSERT_EQ(project.features.size(), 3U);
-  const Feature eye{"left eye", "face", FeatureKind::kLine, {{310, 220}, {365, 218}}, {{402, 198}, {470, 201}}, {},
-                    {},         {}};
-  EXPECT_EQ(project.features[0].source, eye.source);
-  EXPECT_EQ(project.features[0].destination, eye.destination);
+  EXPECT_EQ(project.features[0].places, (std::vector<Points>{{{310, 220}, {365, 218}}, {{402, 198}, {470, 201}}}));
   EXPECT_EQ(project.features[0].group, "face");
-  EXPECT_EQ(project.features[1].kind, FeatureKind::kPoint);
-  EXPECT_EQ(project.features[1].influence.a, 10);
-  EXPECT_EQ(project.features[2].kind, FeatureKind::kCurve);
-  EXPECT_EQ(project.features[2].destination.size(), 4U);
-  EXPECT_EQ(project.features[2].influence.dissolve, (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
+  EXPECT_EQ(project.features[1].mark, Mark(Point{}));
+  EXPECT_EQ(project.features[1].pull.a, 10);
+  EXPECT_EQ(project.features[2].mark, Mark(Curve{}));
+  EXPECT_EQ(project.features[2].places[project::kDestination].size(), 4U);
+  EXPECT_EQ(project.features[2].pace.dissolve, (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
 
-  EXPECT_EQ(project.influence.between, Between::kCentre);
-  EXPECT_EQ(project.influence.turns, -1);
+  EXPECT_EQ(project.pull.between, Between::kCentre);
+  EXPECT_EQ(project.pull.turns, -1);
   const motion::KeysEase keys{{{0, 0, std::nullopt}, {0.4, 0.9, 0.1}, {1, 1, std::nullopt}}};
-  EXPECT_EQ(project.influence.shape, (motion::Timing{keys, 0, 1}));
+  EXPECT_EQ(project.pace.shape, (motion::Timing{keys, 0, 1}));
   EXPECT_EQ(project.output.size, cv::Size(1280, 720));
   EXPECT_EQ(project.output.background, (Background{Color{1, 1, 1, 1}}));
 }
@@ -85,31 +82,31 @@ TEST(Load, AMesh) {
   ASSERT_TRUE(project.mesh);
   EXPECT_EQ(project.mesh->columns, 3);
   EXPECT_EQ(project.mesh->rows, 2);
-  EXPECT_EQ(project.mesh->source,
+  EXPECT_EQ(project.mesh->vertices[project::kSource],
             (std::vector<cv::Point2d>{{0, 0}, {320, 0}, {640, 0}, {0, 480}, {300.5, 480}, {640, 480}}));
-  EXPECT_TRUE(project.mesh->destination.empty());
+  EXPECT_TRUE(project.mesh->vertices[project::kDestination].empty());
   EXPECT_EQ(project.mesh->groups, (std::vector<MeshGroup>{{"rim", {{0, 0}, {2, 1}}}, {"face", {{1, 0}}}}));
-  EXPECT_EQ(project.warp.method, Method::kMesh);
-  EXPECT_EQ(project.warp.spline, warp::MeshSpline::kMonotone);
-  EXPECT_EQ(project.warp.order, warp::PassOrder::kRowsFirst);
+  EXPECT_EQ(project.warp.method, MethodName::kMesh);
+  EXPECT_EQ(project.warp.mesh.spline, warp::MeshSpline::kMonotone);
+  EXPECT_EQ(project.warp.mesh.order, warp::PassOrder::kRowsFirst);
 }
 
 TEST(Load, TheMethodIsAsTheProjectSaysOrHas) {
   const std::string features = R"(, "features": [{"id": "x", "point": {"source": [0, 0], "destination": [0, 0]}}])";
   const std::string mesh = R"("mesh": {"size": [2, 2]})";
-  const auto method = [](const std::string& more) { return method_of(parse(with(more), "")); };
-  EXPECT_EQ(method(""), Method::kLines);
-  EXPECT_EQ(method(mesh), Method::kMesh);
-  EXPECT_EQ(method(mesh + features), Method::kLines);
-  EXPECT_EQ(method(mesh + features + R"(, "warp": {"method": "mesh"})"), Method::kMesh);
-  EXPECT_EQ(method(mesh + R"(, "warp": {"method": "lines"})"), Method::kLines);
+  const auto method = [](const std::string& more) { return method_name_of(parse(with(more), "")); };
+  EXPECT_EQ(method(""), MethodName::kLines);
+  EXPECT_EQ(method(mesh), MethodName::kMesh);
+  EXPECT_EQ(method(mesh + features), MethodName::kLines);
+  EXPECT_EQ(method(mesh + features + R"(, "warp": {"method": "mesh"})"), MethodName::kMesh);
+  EXPECT_EQ(method(mesh + R"(, "warp": {"method": "lines"})"), MethodName::kLines);
 }
 
 TEST(Load, TheSmallestProjectHasTheDefaults) {
   const Project project = parse(with(""), "");
   Project expected;
-  expected.source.image = "a.png";
-  expected.destination.image = "b.png";
+  expected.pictures[project::kSource].image = "a.png";
+  expected.pictures[project::kDestination].image = "b.png";
   EXPECT_TRUE(same_document(project, expected));
   EXPECT_EQ(project.warp.filter, warp::Filter::kArea);
   EXPECT_FALSE(project.warp.border);
@@ -158,7 +155,7 @@ TEST(Load, Backgrounds) {
 }
 
 TEST(Load, AnEasingThatStartsLateFillsTheRest) {
-  const auto shape = parse(with_shape(R"({"ease": "sine", "delay": 0.1})"), "").influence.shape;
+  const auto shape = parse(with_shape(R"({"ease": "sine", "delay": 0.1})"), "").pace.shape;
   EXPECT_EQ(shape, (motion::Timing{motion::SineEase{}, 0.1, 0.9}));
   EXPECT_EQ(motion::progress(*shape, 1), 1);
 }
@@ -286,7 +283,7 @@ TEST_F(LoadFile, RemembersWhereItCameFrom) {
   const Project project = load(file);
   EXPECT_EQ(project.file, file);
   EXPECT_EQ(*project.original, testing::kFull);
-  EXPECT_EQ(resolve(project, project.source.image), directory_.path() / "cat.png");
+  EXPECT_EQ(resolve(project, project.pictures[project::kSource].image), directory_.path() / "cat.png");
   EXPECT_EQ(resolve(project, "/abs.png"), "/abs.png");
 }
 
@@ -303,29 +300,29 @@ TEST_F(LoadFile, MissingDirectoryAndUnreadable) {
 
 TEST_F(LoadFile, FeaturesAreLaidOverAProject) {
   Project project;
-  project.source.image = "mine.png";
-  project.destination.image = "yours.png";
+  project.pictures[project::kSource].image = "mine.png";
+  project.pictures[project::kDestination].image = "yours.png";
   project.output.frames = 7;
-  project.influence.a = 5;
+  project.pull.a = 5;
   load_features(project, write("features.json", R"({"morphkit": 1, "groups": [{"id": "g"}],
     "features": [{"id": "p", "group": "g", "point": {"source": [1, 2], "destination": [3, 4]}}]})"));
-  EXPECT_EQ(project.source.image, "mine.png");
+  EXPECT_EQ(project.pictures[project::kSource].image, "mine.png");
   EXPECT_EQ(project.output.frames, 7);
-  EXPECT_EQ(project.influence.a, 5);
+  EXPECT_EQ(project.pull.a, 5);
   ASSERT_EQ(project.features.size(), 1U);
   EXPECT_EQ(project.features[0].group, "g");
 
   load_features(project, write("whole.json", testing::kFull));
-  EXPECT_EQ(project.source.image, "mine.png");
+  EXPECT_EQ(project.pictures[project::kSource].image, "mine.png");
   EXPECT_EQ(project.output.frames, 7);
-  EXPECT_EQ(project.influence.a, 1);
+  EXPECT_EQ(project.pull.a, 1);
   EXPECT_EQ(project.features.size(), 3U);
 }
 
 TEST_F(LoadFile, AMeshIsLaidOverAProject) {
   Project project = parse(testing::kFull, "");
   load_features(project, write("mesh.json", R"({"morphkit": 1, "mesh": {"size": [4, 3]}})"));
-  EXPECT_EQ(project.source.image, "cat.png");
+  EXPECT_EQ(project.pictures[project::kSource].image, "cat.png");
   EXPECT_TRUE(project.features.empty());
   ASSERT_TRUE(project.mesh);
   EXPECT_EQ(project.mesh->columns, 4);
@@ -357,34 +354,37 @@ TEST_F(LoadFile, BadFeaturesLeaveTheProjectAlone) {
 
 TEST(Effective, TheNearestSettingWins) {
   Project project = parse(testing::kFull, "");
-  const Influence nose = effective(project, project.features[1]);
+  const Pull nose = effective_pull(project, project.features[1]);
   EXPECT_EQ(nose.a, 10);  // its own
   EXPECT_EQ(nose.b, 2);   // the project's
-  const Influence eye = effective(project, project.features[0]);
+  const Pull eye = effective_pull(project, project.features[0]);
   EXPECT_EQ(eye.a, 1);
   EXPECT_EQ(eye.b, 1.5);  // its group's
-  EXPECT_EQ(eye.shape, project.groups[0].influence.shape);
-  EXPECT_EQ(nose.shape, project.influence.shape);
+  EXPECT_EQ(effective_pace(project, project.features[0]).shape, project.groups[0].pace.shape);
+  EXPECT_EQ(effective_pace(project, project.features[1]).shape, project.pace.shape);
 }
 
 TEST(Effective, OfAGroup) {
   const Project project = parse(testing::kMesh, "");
-  EXPECT_EQ(effective(project, "face").shape, (motion::Timing{motion::SineEase{}, 0, 1}));
-  EXPECT_EQ(effective(project, "rim"), effective(project));
-  EXPECT_EQ(effective(project, std::string()), effective(project));
+  EXPECT_EQ(effective_pace(project, "face").shape, (motion::Timing{motion::SineEase{}, 0, 1}));
+  EXPECT_EQ(effective_pace(project, "rim"), effective_pace(project));
+  EXPECT_EQ(effective_pull(project, "rim"), effective_pull(project));
+  EXPECT_EQ(effective_pace(project, std::string()), effective_pace(project));
 }
 
 TEST(Effective, NothingStaysOpen) {
-  const Influence influence = effective(Project{});
-  EXPECT_EQ(influence.a, 1);
-  EXPECT_EQ(influence.b, 2);
-  EXPECT_EQ(influence.p, 0);
-  EXPECT_EQ(influence.scale, warp::LineScale::kAlong);
-  EXPECT_EQ(influence.between, Between::kEndpoints);
-  EXPECT_EQ(influence.turns, 0);
-  EXPECT_EQ(influence.shape, motion::Timing{});
-  EXPECT_EQ(influence.dissolve, motion::Timing{});
-  EXPECT_EQ(effective(Project{}, Feature{}), influence);
+  const Pull pull = effective_pull(Project{});
+  const Pace pace = effective_pace(Project{});
+  EXPECT_EQ(pull.a, 1);
+  EXPECT_EQ(pull.b, 2);
+  EXPECT_EQ(pull.p, 0);
+  EXPECT_EQ(pull.scale, warp::LineScale::kAlong);
+  EXPECT_EQ(pull.between, Between::kEndpoints);
+  EXPECT_EQ(pull.turns, 0);
+  EXPECT_EQ(pace.shape, motion::Timing{});
+  EXPECT_EQ(pace.dissolve, motion::Timing{});
+  EXPECT_EQ(effective_pull(Project{}, Feature{}), pull);
+  EXPECT_EQ(effective_pace(Project{}, Feature{}), pace);
 }
 
 }  // namespace

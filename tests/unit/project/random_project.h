@@ -21,13 +21,13 @@ class RandomProject {
 
   Project make() {
     Project project;
-    project.source = side();
-    project.destination = side();
-    for (int i = integer(0, 3); i > 0; --i) project.groups.push_back({"group " + std::to_string(i), influence()});
+    project.pictures = {picture("source"), picture("destination")};
+    for (int i = integer(0, 3); i > 0; --i) project.groups.push_back({"group " + std::to_string(i), pull(), pace()});
     for (int i = integer(0, 6); i > 0; --i) project.features.push_back(feature(project, "f" + std::to_string(i)));
     if (coin()) project.mesh = mesh(project);
     project.warp = warp(project);
-    project.influence = influence();
+    project.pull = pull();
+    project.pace = pace();
     project.blend = pick({Blend::kLinear, Blend::kDisplay});
     project.output = output();
     return project;
@@ -56,7 +56,8 @@ class RandomProject {
         std::shuffle(project.features.begin(), project.features.end(), random_);
         break;
       case 5:
-        project.influence = influence();
+        project.pull = pull();
+        project.pace = pace();
         break;
       case 6:
         project.output = output();
@@ -65,18 +66,18 @@ class RandomProject {
         project.warp = warp(project);
         break;
       case 8:
-        project.source = side();
+        project.pictures[project::kSource] = picture("source");
         break;
       case 9:
-        project.groups.push_back({"group " + std::to_string(random_()), influence()});
+        project.groups.push_back({"group " + std::to_string(random_()), pull(), pace()});
         break;
       case 10:
         project.mesh.reset();
         if (coin()) project.mesh = mesh(project);
         break;
       case 11:
-        if (project.mesh && !project.mesh->source.empty()) {
-          project.mesh->source[index(project.mesh->source)] = point();
+        if (project.mesh && !project.mesh->vertices[project::kSource].empty()) {
+          project.mesh->vertices[project::kSource][index(project.mesh->vertices[project::kSource])] = point();
         }
         break;
       default:
@@ -107,8 +108,8 @@ class RandomProject {
   }
   cv::Point2d point() { return {coordinate(), coordinate()}; }
 
-  Side side() {
-    return {pick<std::string>({"a.png", "../b c.exr", "/abs/\"quoted\".png", "b\xC3\xA4r.tif", "back\\slash"}),
+  Picture picture(const char* id) {
+    return {id, pick<std::string>({"a.png", "../b c.exr", "/abs/\"quoted\".png", "b\xC3\xA4r.tif", "back\\slash"}),
             pick<std::string>({"", "srgb", "linear"})};
   }
 
@@ -146,17 +147,22 @@ class RandomProject {
     return timing;
   }
 
-  Influence influence() {
-    Influence influence;
-    if (coin()) influence.a = real(0, 10);
-    if (coin()) influence.b = integer(0, 8);
-    if (coin()) influence.p = real(0, 1);
-    if (coin()) influence.scale = pick({warp::LineScale::kAlong, warp::LineScale::kUniform});
-    if (coin()) influence.between = pick({Between::kEndpoints, Between::kCentre});
-    if (coin()) influence.turns = integer(-3, 3);
-    if (coin()) influence.shape = timing();
-    if (coin()) influence.dissolve = timing();
-    return influence;
+  Pull pull() {
+    Pull pull;
+    if (coin()) pull.a = real(0, 10);
+    if (coin()) pull.b = integer(0, 8);
+    if (coin()) pull.p = real(0, 1);
+    if (coin()) pull.scale = pick({warp::LineScale::kAlong, warp::LineScale::kUniform});
+    if (coin()) pull.between = pick({Between::kEndpoints, Between::kCentre});
+    if (coin()) pull.turns = integer(-3, 3);
+    return pull;
+  }
+
+  Pace pace() {
+    Pace pace;
+    if (coin()) pace.shape = timing();
+    if (coin()) pace.dissolve = timing();
+    return pace;
   }
 
   /// A walk whose ends differ, so that neither side of a curve closes by itself.
@@ -170,24 +176,27 @@ class RandomProject {
     Feature feature;
     feature.id = id;
     if (!project.groups.empty() && coin()) feature.group = project.groups[index(project.groups)].id;
-    feature.kind = pick({FeatureKind::kLine, FeatureKind::kPoint, FeatureKind::kCurve});
-    if (feature.kind == FeatureKind::kLine) {
-      feature.source = walk(2);
-      feature.destination = walk(2);
-    } else if (feature.kind == FeatureKind::kPoint) {
-      feature.source = {point()};
-      feature.destination = {point()};
+    feature.mark = pick({Mark(Line{}), Mark(Point{}), Mark(Curve{})});
+    if (std::holds_alternative<Line>(feature.mark)) {
+      feature.places[project::kSource] = walk(2);
+      feature.places[project::kDestination] = walk(2);
+    } else if (std::holds_alternative<Point>(feature.mark)) {
+      feature.places[project::kSource] = {point()};
+      feature.places[project::kDestination] = {point()};
     } else {
-      feature.closed = coin();
-      feature.curve = pick({motion::CurveKind::kPolyline, motion::CurveKind::kCatmullRom, motion::CurveKind::kBezier});
+      Curve curve;
+      curve.closed = coin();
+      curve.kind = pick({motion::CurveKind::kPolyline, motion::CurveKind::kCatmullRom, motion::CurveKind::kBezier});
       const auto count = [&] {
         const int pieces = integer(1, 20);
-        return feature.curve == motion::CurveKind::kBezier ? 3 * pieces + (feature.closed ? 0 : 1) : pieces + 2;
+        return curve.kind == motion::CurveKind::kBezier ? 3 * pieces + (curve.closed ? 0 : 1) : pieces + 2;
       };
-      feature.source = walk(count());
-      feature.destination = walk(count());
+      feature.places[project::kSource] = walk(count());
+      feature.places[project::kDestination] = walk(count());
+      feature.mark = curve;
     }
-    if (coin()) feature.influence = influence();
+    if (coin()) feature.pull = pull();
+    if (coin()) feature.pace = pace();
     return feature;
   }
 
@@ -214,17 +223,17 @@ class RandomProject {
     Mesh mesh;
     mesh.columns = integer(2, 6);
     mesh.rows = integer(2, 6);
-    if (coin()) mesh.source = vertices(mesh);
-    if (coin()) mesh.destination = vertices(mesh);
+    if (coin()) mesh.vertices[project::kSource] = vertices(mesh);
+    if (coin()) mesh.vertices[project::kDestination] = vertices(mesh);
     if (coin()) mesh.groups = mesh_groups(project, mesh);
     return mesh;
   }
 
   Warp warp(const Project& project) {
     Warp warp;
-    if (coin()) warp.method = pick({Method::kLines, Method::kMesh});
-    warp.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
-    warp.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
+    if (coin()) warp.method = pick({MethodName::kLines, MethodName::kMesh});
+    warp.mesh.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
+    warp.mesh.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
     warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic, warp::Filter::kArea,
                         warp::Filter::kMitchell, warp::Filter::kLanczos});
     if (coin()) warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
@@ -236,8 +245,8 @@ class RandomProject {
 
   /// Makes the warp one that the loader accepts.
   static void agree(Project& project) {
-    if (!project.mesh && project.warp.method == Method::kMesh) project.warp.method.reset();
-    if (method_of(project) == Method::kMesh && project.warp.border == warp::Border::kMirror)
+    if (!project.mesh && project.warp.method == MethodName::kMesh) project.warp.method.reset();
+    if (method_name_of(project) == MethodName::kMesh && project.warp.border == warp::Border::kMirror)
       project.warp.border.reset();
   }
 

@@ -105,7 +105,7 @@ TEST(ToText, SavingTwiceChangesNothing) {
 
 TEST(ToText, OneMovedPointChangesOneLine) {
   Project project = parse(testing::kFull, "x.json");
-  project.features[0].destination[1].y = 77.25;
+  project.features[0].places[project::kDestination][1].y = 77.25;
   const std::string text = to_text(project);
   EXPECT_EQ(changed_lines(testing::kFull, text), std::vector<std::size_t>{8});
   EXPECT_TRUE(contains(text, R"("destination": [[402, 198.0], [470, 77.25]]}},)")) << text;
@@ -114,7 +114,7 @@ TEST(ToText, OneMovedPointChangesOneLine) {
 TEST(ToText, OrderSpellingAndExplicitDefaultsSurviveChangesElsewhere) {
   Project project = parse(testing::kFull, "x.json");
   project.output.frames = 96;
-  project.features[2].influence.dissolve->delay = 0.5;
+  project.features[2].pace.dissolve->delay = 0.5;
   const std::string text = to_text(project);
   EXPECT_EQ(changed_lines(testing::kFull, text), (std::vector<std::size_t>{14, 20}));
   EXPECT_TRUE(contains(text, R"({"ease": "sine", "delay": 0.5, "duration": 0.5})")) << text;
@@ -125,8 +125,8 @@ TEST(ToText, ANewFeatureIsLaidOutLikeItsNeighbours) {
   Project project = parse(testing::kFull, "x.json");
   Feature ear;
   ear.id = "ear";
-  ear.source = {{1, 2}, {3, 4}};
-  ear.destination = {{5, 6}, {7, 8.5}};
+  ear.places[project::kSource] = {{1, 2}, {3, 4}};
+  ear.places[project::kDestination] = {{5, 6}, {7, 8.5}};
   project.features.push_back(ear);
   const auto before = lines_of(testing::kFull), after = lines_of(to_text(project));
   ASSERT_EQ(after.size(), before.size() + 1);
@@ -157,9 +157,9 @@ TEST(ToText, OtherLayoutsAreImitated) {
 
 TEST(ToText, RemovedSettingsVanishAndNewOnesStandInTheirPlace) {
   Project project = parse(testing::kFull, "x.json");
-  project.features[1].influence.a.reset();
+  project.features[1].pull.a.reset();
   project.features[1].group = "face";
-  project.influence.turns.reset();
+  project.pull.turns.reset();
   const std::string text = to_text(project);
   EXPECT_TRUE(contains(text, R"({"id": "nose", "group": "face", "point": {)")) << text;
   EXPECT_FALSE(contains(text, "1e1"));
@@ -175,8 +175,8 @@ TEST(ToText, ARenamedFeatureKeepsTheRest) {
 
 TEST(ToText, DefaultsAreLeftOutOfANewDocument) {
   Project project;
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   EXPECT_EQ(
       to_text(project),
       "{\n  \"morphkit\": 1,\n  \"source\": {\"image\": \"a.png\"},\n  \"destination\": {\"image\": \"b.png\"}\n}\n");
@@ -201,9 +201,9 @@ TEST(ToText, LongCurvesAreWrapped) {
   project.original = nullptr;
   Feature curve;
   curve.id = "outline";
-  curve.kind = FeatureKind::kCurve;
-  for (int i = 0; i < 100; ++i) curve.source.push_back({i * 10.5, i * 3.25});
-  curve.destination = curve.source;
+  curve.mark = project::Curve{};
+  for (int i = 0; i < 100; ++i) curve.places[project::kSource].push_back({i * 10.5, i * 3.25});
+  curve.places[project::kDestination] = curve.places[project::kSource];
   project.features = {curve};
   for (const std::string& line : lines_of(to_text(project))) EXPECT_LE(line.size(), 120U) << line;
 }
@@ -211,8 +211,8 @@ TEST(ToText, LongCurvesAreWrapped) {
 TEST(ToText, ANewMeshHasOneOfItsRowsOnEachLine) {
   Project project = parse(with(""), "");
   project.original = nullptr;
-  project.groups = {{"face", {}}};
-  project.mesh = Mesh{3, 2, {{0, 0}, {320, 0}, {640, 0}, {0, 480}, {300.5, 480}, {640, 480}}, {}, {}};
+  project.groups = {{"face", {}, {}}};
+  project.mesh = Mesh{3, 2, {{{0, 0}, {320, 0}, {640, 0}, {0, 480}, {300.5, 480}, {640, 480}}, {}}, {}};
   project.mesh->groups = {{"face", {{1, 0}, {1, 1}}}};
   const std::string mesh =
       R"(  "mesh": {
@@ -232,7 +232,7 @@ TEST(ToText, ANewMeshHasOneOfItsRowsOnEachLine) {
 
 TEST(ToText, AMovedVertexChangesOneLine) {
   Project project = parse(testing::kMesh, "x.json");
-  project.mesh->source[4].x = 310;
+  project.mesh->vertices[project::kSource][4].x = 310;
   const std::string text = to_text(project);
   EXPECT_EQ(changed_lines(testing::kMesh, text), std::vector<std::size_t>{9});
   EXPECT_TRUE(contains(text, "      [0, 480], [310, 480], [640, 480]\n")) << text;
@@ -241,7 +241,7 @@ TEST(ToText, AMovedVertexChangesOneLine) {
 TEST(ToText, AMeshOfAnotherSizeIsLaidOutAnew) {
   Project project = parse(testing::kMesh, "x.json");
   project.mesh->columns = 2;
-  project.mesh->source = {{0, 0}, {640, 0}, {0, 480}, {640, 480}};
+  project.mesh->vertices[project::kSource] = {{0, 0}, {640, 0}, {0, 480}, {640, 480}};
   project.mesh->groups = {{"face", {{1, 0}}}};
   const std::string text = to_text(project);
   EXPECT_TRUE(contains(text, "\"source\": [\n      [0, 0], [640, 0],\n      [0, 480], [640, 480]\n    ],")) << text;
@@ -253,26 +253,27 @@ TEST(ToText, ALargeMeshOnOneLineIsSavedInReasonableTime) {
   // A search for the start of the line at every number would take hours.
   Project project = parse(with(""), "");
   project.original = nullptr;
-  project.mesh = Mesh{300, 300, {}, {}, {}};
-  for (int i = 0; i < 300 * 300; ++i) project.mesh->source.emplace_back(i % 300 + 0.125, i / 300 + 0.5);
+  project.mesh = Mesh{300, 300, {{}, {}}, {}};
+  for (int i = 0; i < 300 * 300; ++i)
+    project.mesh->vertices[project::kSource].emplace_back(i % 300 + 0.125, i / 300 + 0.5);
   std::string text = to_text(project);
   std::erase(text, '\n');
   project = parse(text, "x.json");
-  project.mesh->source[77].x = 5;
+  project.mesh->vertices[project::kSource][77].x = 5;
   EXPECT_TRUE(same_document(parse(to_text(project), "x.json"), project));
 }
 
 TEST(ToText, WhatCannotBeWrittenIsRefused) {
   Project project = parse(with(""), "");
-  project.influence.a = std::numeric_limits<double>::quiet_NaN();
+  project.pull.a = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(to_text(project), std::invalid_argument);
   project = parse(with(""), "");
   for (const char* bytes : {"\xFF.png", "\xC3", "\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE0\x80\x80"}) {
-    project.source.image = bytes;
+    project.pictures[project::kSource].image = bytes;
     EXPECT_THROW(to_text(project), Error);
   }
   for (const char* bytes : {"\xC3\xA4", "\xE2\x82\xAC", "\xF0\x9F\x98\xBA", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"}) {
-    project.source.image = bytes;
+    project.pictures[project::kSource].image = bytes;
     EXPECT_TRUE(same_document(parse(to_text(project), ""), project));
   }
 }

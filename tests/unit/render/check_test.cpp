@@ -42,8 +42,8 @@ TEST(Check, FindsLinesThatCrossOnlyInBetween) {
   // b jumps from left of a to right of it, turning on its way.
   project.features = {line("a", {{48, 8}, {48, 56}}, {{48, 8}, {48, 56}}),
                       line("b", {{10, 30}, {20, 34}}, {{86, 30}, {76, 34}})};
-  project.features[1].source = {{10, 20}, {40, 40}};
-  project.features[1].destination = {{56, 20}, {86, 40}};
+  project.features[1].places[project::kSource] = {{10, 20}, {40, 40}};
+  project.features[1].places[project::kDestination] = {{56, 20}, {86, 40}};
   const std::vector<Finding> found = findings(project);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Finding::Kind::kCrossing);

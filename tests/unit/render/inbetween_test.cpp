@@ -25,8 +25,8 @@ std::vector<LinePair> pairs_of(project::Project project) {
 LinePair one_pair(warp::Line source, warp::Line destination, project::Between between, double turns = 0) {
   project::Project project;
   project.features = {line("l", source, destination)};
-  project.influence.between = between;
-  project.influence.turns = turns;
+  project.pull.between = between;
+  project.pull.turns = turns;
   return pairs_of(project).front();
 }
 
@@ -92,8 +92,8 @@ TEST(LinePairs, CurvesBecomeConnectedChainsOfEqualCount) {
 
 TEST(FieldLines, EachFeatureMovesInItsOwnTime) {
   project::Project project = small_project();
-  project.features[0].influence.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
-  project.features[1].influence.dissolve = motion::Timing{motion::StepEase{0.2}, 0, 1};
+  project.features[0].pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
+  project.features[1].pace.dissolve = motion::Timing{motion::StepEase{0.2}, 0, 1};
   const std::vector<warp::FieldLine> lines = field_lines(pairs_of(project), 0.5);
   EXPECT_EQ(lines[0].output.p, cv::Point2d(20, 14));
   EXPECT_EQ(lines[1].output.p, cv::Point2d(13, 21));

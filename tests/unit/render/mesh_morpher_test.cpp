@@ -43,7 +43,7 @@ std::vector<cv::Point2d> jittered(cv::Size size, unsigned seed, double amount = 
 project::Project mesh_project(cv::Size source = kSize, cv::Size destination = kSize) {
   project::Project project;
   project.file = "pair.json";
-  project.mesh = project::Mesh{kColumns, kRows, jittered(source, 1), jittered(destination, 2), {}};
+  project.mesh = project::Mesh{kColumns, kRows, {jittered(source, 1), jittered(destination, 2)}, {}};
   project.output.frames = 9;
   return project;
 }
@@ -55,8 +55,8 @@ TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
            {warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear}) {
         const warp::Image a = random_image(kSize, 1, with_alpha), b = random_image(kSize, 2, with_alpha);
         project::Project project = mesh_project();
-        project.warp.order = order;
-        project.warp.spline = spline;
+        project.warp.mesh.order = order;
+        project.warp.mesh.spline = spline;
         const Renderer renderer(project, pictures(a, b, with_alpha));
         EXPECT_TRUE(same_bits(renderer.frame(0), a));
         EXPECT_TRUE(same_bits(renderer.frame(1), b));
@@ -66,9 +66,9 @@ TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
 TEST(MeshMorpher, ASideShowsAsLongAsTheFrameDependsOnIt) {
   project::Project project = mesh_project();
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 2) << "the other one at either end";
-  project.influence.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.3};
-  project.groups = {{"early", {}}};
-  project.groups[0].influence.dissolve = motion::Timing{motion::LinearEase{}, 0.2, 0.2};
+  project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.3};
+  project.groups = {{"early", {}, {}}};
+  project.groups[0].pace.dissolve = motion::Timing{motion::LinearEase{}, 0.2, 0.2};
   project.mesh->groups = {{"early", {{2, 2}, {3, 2}}}};
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 3 + 3);
 }
@@ -76,7 +76,7 @@ TEST(MeshMorpher, ASideShowsAsLongAsTheFrameDependsOnIt) {
 TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {
   const warp::Image a = random_image(kSize, 3), b = random_image(kSize, 4);
   project::Project project = mesh_project();
-  project.mesh->destination = project.mesh->source;
+  project.mesh->vertices[project::kDestination] = project.mesh->vertices[project::kSource];
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.5, 0.9}) {
     EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
@@ -86,8 +86,8 @@ TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {
 TEST(MeshMorpher, UniformMeshesNeedNoVertices) {
   const warp::Image a = random_image(kSize, 5), b = random_image({80, 90}, 6);
   project::Project uniform = mesh_project(), plain;
-  uniform.mesh->source.clear();
-  uniform.mesh->destination.clear();
+  uniform.mesh->vertices[project::kSource].clear();
+  uniform.mesh->vertices[project::kDestination].clear();
   uniform.output.fit = plain.output.fit = project::Fit::kStretch;
   const warp::Image frame = Renderer(uniform, pictures(a, a)).frame(0.5);
   EXPECT_TRUE(same_bits(frame, Renderer(plain, pictures(a, a)).frame(0.5)));
@@ -96,8 +96,8 @@ TEST(MeshMorpher, UniformMeshesNeedNoVertices) {
 
 TEST(MeshMorpher, SameBytesForAnyNumberOfThreads) {
   project::Project project = mesh_project(kSize, {70, 80});
-  project.groups.push_back({"early", {}});
-  project.groups.back().influence.dissolve = motion::Timing{motion::SineEase{}, 0, 0.4};
+  project.groups.push_back({"early", {}, {}});
+  project.groups.back().pace.dissolve = motion::Timing{motion::SineEase{}, 0, 0.4};
   project.mesh->groups.push_back({"early", {{2, 2}, {3, 2}}});
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
   set_threads(1);
@@ -112,7 +112,7 @@ TEST(MeshMorpher, SameBytesForAnyNumberOfThreads) {
 TEST(MeshMorpher, AMapLooksWhereThePicturesComeFrom) {
   const project::Project project = mesh_project(kSize, {48, 32});
   const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
-  const warp::Map source = renderer.map(0, SideName::kSource), destination = renderer.map(1, SideName::kDestination);
+  const warp::Map source = renderer.map(0, kSource), destination = renderer.map(1, kDestination);
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
       ASSERT_EQ(source(y, x), warp::MapPoint(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
@@ -123,8 +123,8 @@ TEST(MeshMorpher, AMapLooksWhereThePicturesComeFrom) {
 
 TEST(MeshMorpher, VerticesMoveInTheTimeOfTheirGroup) {
   project::Project project = mesh_project();
-  project.groups.push_back({"late", {}});
-  project.groups.back().influence.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
+  project.groups.push_back({"late", {}, {}});
+  project.groups.back().pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
   project.mesh->groups.push_back({"late", {{2, 2}}});
   const Pictures both = pictures(random_image(kSize, 13), random_image(kSize, 14));
   const Stage stage = make_stage(project, both);
@@ -133,20 +133,26 @@ TEST(MeshMorpher, VerticesMoveInTheTimeOfTheirGroup) {
   const auto at = [&](const std::vector<cv::Point2d>& side, int column, int row) {
     return side[early.index(column, row)];
   };
-  EXPECT_EQ(early.at(2, 2), at(project.mesh->source, 2, 2));
-  const cv::Point2d half = (at(project.mesh->source, 2, 2) + at(project.mesh->destination, 2, 2)) / 2.0;
+  EXPECT_EQ(early.at(2, 2), at(project.mesh->vertices[project::kSource], 2, 2));
+  const cv::Point2d half =
+      (at(project.mesh->vertices[project::kSource], 2, 2) + at(project.mesh->vertices[project::kDestination], 2, 2)) /
+      2.0;
   EXPECT_NEAR(late.at(2, 2).x, half.x, 1e-9);
   EXPECT_NEAR(late.at(2, 2).y, half.y, 1e-9);
-  EXPECT_NEAR(early.at(3, 2).x, (at(project.mesh->source, 3, 2).x + at(project.mesh->destination, 3, 2).x) / 2, 1e-9);
+  EXPECT_NEAR(early.at(3, 2).x,
+              (at(project.mesh->vertices[project::kSource], 3, 2).x +
+               at(project.mesh->vertices[project::kDestination], 3, 2).x) /
+                  2,
+              1e-9);
 }
 
 TEST(MeshMorpher, LocalDissolveFollowsTheVertices) {
   project::Project project = mesh_project();
-  project.mesh->destination = project.mesh->source;
-  project.groups.push_back({"early", {}});
-  project.groups.back().influence.dissolve = motion::Timing{motion::StepEase{}, 0, 0.1};
-  project.groups.push_back({"late", {}});
-  project.groups.back().influence.dissolve = motion::Timing{motion::StepEase{}, 0.9, 0.1};
+  project.mesh->vertices[project::kDestination] = project.mesh->vertices[project::kSource];
+  project.groups.push_back({"early", {}, {}});
+  project.groups.back().pace.dissolve = motion::Timing{motion::StepEase{}, 0, 0.1};
+  project.groups.push_back({"late", {}, {}});
+  project.groups.back().pace.dissolve = motion::Timing{motion::StepEase{}, 0.9, 0.1};
   project::MeshGroup early{"early", {}}, late{"late", {}};
   for (int row = 0; row < kRows; ++row)
     for (int column = 0; column < kColumns; ++column) (column <= 2 ? early : late).vertices.emplace_back(column, row);
@@ -177,7 +183,7 @@ TEST(MeshMorpher, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
 
 TEST(MeshMorpher, ABorderVertexOffTheBorderIsNamed) {
   project::Project project = mesh_project();
-  project.mesh->destination[3] = {48, 2};
+  project.mesh->vertices[project::kDestination][3] = {48, 2};
   const Error error = error_of([&] { Renderer(project, pictures(random_image(kSize, 15), random_image(kSize, 16))); });
   EXPECT_EQ(error.code(), ErrorCode::kBadInput);
   EXPECT_TRUE(contains(error.what(), "pair.json: /mesh/destination/3: the vertex in column 3, row 0")) << error.what();
@@ -186,9 +192,9 @@ TEST(MeshMorpher, ABorderVertexOffTheBorderIsNamed) {
 TEST(MeshMorpher, AFoldIsNamedUnlessItIsAllowed) {
   const Pictures both = pictures(random_image(kSize, 17), random_image(kSize, 18));
   project::Project project = mesh_project();
-  warp::Mesh source{kColumns, kRows, project.mesh->source};
+  warp::Mesh source{kColumns, kRows, project.mesh->vertices[project::kSource]};
   source.at(3, 2).x = source.at(2, 2).x - 1;
-  project.mesh->source = source.vertices;
+  project.mesh->vertices[project::kSource] = source.vertices;
   const Error error = error_of([&] { Renderer(project, both); });
   EXPECT_EQ(error.code(), ErrorCode::kBadInput);
   EXPECT_TRUE(contains(error.what(), "/mesh/source/17: the source mesh folds over: the vertex in column 3, row 2"))
@@ -216,7 +222,7 @@ std::vector<cv::Point2d> turned(cv::Size size, int columns, int rows, double ang
 project::Project turning_project(double angle_rad) {
   project::Project project;
   project.file = "turn.json";
-  project.mesh = project::Mesh{13, 13, {}, turned({128, 128}, 13, 13, angle_rad), {}};
+  project.mesh = project::Mesh{13, 13, {{}, turned({128, 128}, 13, 13, angle_rad)}, {}};
   return project;
 }
 
@@ -240,7 +246,7 @@ TEST(MeshMorpher, TheBottleneckIsThatOfThePictureAsItIsHeld) {
   // Eight times larger than the canvas: in pixels of the file the first pass would have room enough.
   const cv::Size large(1024, 1024);
   project::Project project = turning_project(70 * 3.14159265358979 / 180);
-  project.mesh->destination = turned(large, 13, 13, 70 * 3.14159265358979 / 180);
+  project.mesh->vertices[project::kDestination] = turned(large, 13, 13, 70 * 3.14159265358979 / 180);
   project.output.size = cv::Size(128, 128);
   const Renderer renderer(project, pictures(random_image(large, 25), random_image(large, 26)), {.allow_folds = true});
   std::size_t bottlenecks = 0;
@@ -252,12 +258,12 @@ TEST(MeshMorpher, AMomentIsJudgedByThePicturesThatShow) {
   // The source turns too far at t = 1, where nothing of it is left.
   const cv::Size size(128, 128);
   project::Project project = turning_project(0.9);
-  project.mesh->source = turned(size, 13, 13, -0.9);
-  project.influence.dissolve = motion::Timing{motion::LinearEase{}, 0.4, 0.2};
+  project.mesh->vertices[project::kSource] = turned(size, 13, 13, -0.9);
+  project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.4, 0.2};
   const Renderer renderer(project, pictures(random_image(size, 23), random_image(size, 24)));
   EXPECT_NO_THROW(renderer.require(0));
   EXPECT_NO_THROW(renderer.require(1));
-  project.influence.dissolve = motion::Timing{motion::StepEase{}, 0.99, 0.01};
+  project.pace.dissolve = motion::Timing{motion::StepEase{}, 0.99, 0.01};
   const Renderer late(project, pictures(random_image(size, 23), random_image(size, 24)));
   EXPECT_THROW(late.require(0.98), Error);
 }
@@ -266,9 +272,9 @@ TEST(MeshMorpher, CheckNamesFoldedVertices) {
   const Pictures both = pictures(random_image(kSize, 21), random_image(kSize, 22));
   project::Project project = mesh_project();
   EXPECT_TRUE(check(Renderer(project, both)).empty());
-  warp::Mesh destination{kColumns, kRows, project.mesh->destination};
+  warp::Mesh destination{kColumns, kRows, project.mesh->vertices[project::kDestination]};
   destination.at(4, 3).y = destination.at(4, 2).y - 2;
-  project.mesh->destination = destination.vertices;
+  project.mesh->vertices[project::kDestination] = destination.vertices;
   const std::vector<Finding> found = check(Renderer(project, both, {.allow_folds = true}));
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Finding::Kind::kMeshFold);

@@ -27,7 +27,7 @@ TEST(Renderer, EndsAreThePicturesBitForBit) {
                                 warp::Filter::kArea, warp::Filter::kLanczos}) {
         const warp::Image a = random_image(kSize, 1, with_alpha), b = random_image(kSize, 2, with_alpha);
         project::Project project = small_project();
-        project.influence.between = between;
+        project.pull.between = between;
         project.warp.filter = filter;
         const Renderer renderer(project, pictures(a, b, with_alpha));
         EXPECT_TRUE(same_bits(renderer.frame(0), a));
@@ -38,8 +38,8 @@ TEST(Renderer, EndsAreThePicturesBitForBit) {
 TEST(Renderer, EndsAreExactWithFeaturesThatHaveTheirOwnTimes) {
   const warp::Image a = random_image(kSize, 3), b = random_image(kSize, 4);
   project::Project project = small_project();
-  project.features[0].influence.dissolve = motion::Timing{motion::SineEase{}, 0.1, 0.4};
-  project.features[2].influence.shape = motion::Timing{motion::ParabolicEase{}, 0.5, 0.5};
+  project.features[0].pace.dissolve = motion::Timing{motion::SineEase{}, 0.1, 0.4};
+  project.features[2].pace.shape = motion::Timing{motion::ParabolicEase{}, 0.5, 0.5};
   const Renderer renderer(project, pictures(a, b));
   EXPECT_TRUE(same_bits(renderer.frame(0), a));
   EXPECT_TRUE(same_bits(renderer.frame(1), b));
@@ -48,7 +48,8 @@ TEST(Renderer, EndsAreExactWithFeaturesThatHaveTheirOwnTimes) {
 TEST(Renderer, IdentityFeaturesGiveTheDissolveExactly) {
   const warp::Image a = random_image(kSize, 5), b = random_image(kSize, 6);
   project::Project project = small_project();
-  for (project::Feature& feature : project.features) feature.destination = feature.source;
+  for (project::Feature& feature : project.features)
+    feature.places[project::kDestination] = feature.places[project::kSource];
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.3, 0.5, 0.9}) {
     EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
@@ -65,16 +66,17 @@ TEST(Renderer, WithoutFeaturesDissolves) {
 TEST(Renderer, ADoubledPictureIsTheSameMorphBackwards) {
   // Swapping the sides and running backwards gives the same in-between features and so the same maps.
   project::Project project = small_project(), swapped = small_project();
-  for (project::Feature& feature : swapped.features) std::swap(feature.source, feature.destination);
+  for (project::Feature& feature : swapped.features)
+    std::swap(feature.places[project::kSource], feature.places[project::kDestination]);
   const warp::Image a = random_image(kSize, 7), b = random_image(kSize, 8);
   const Renderer forth(project, pictures(a, b)), back(swapped, pictures(b, a));
-  const warp::Map x = forth.map(0.25, SideName::kSource), y = back.map(0.75, SideName::kDestination);
+  const warp::Map x = forth.map(0.25, kSource), y = back.map(0.75, kDestination);
   EXPECT_LE(cv::norm(x, y, cv::NORM_INF), 1e-3);
 }
 
 TEST(Renderer, SameBytesForAnyNumberOfThreads) {
   project::Project project = small_project();
-  project.features[0].influence.dissolve = motion::Timing{motion::SineEase{}, 0, 0.5};
+  project.features[0].pace.dissolve = motion::Timing{motion::SineEase{}, 0, 0.5};
   project.output.size = cv::Size(203, 151);
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
   set_threads(1);
@@ -90,8 +92,7 @@ TEST(Renderer, ASideShowsAsLongAsTheFrameDependsOnIt) {
   project::Project project = small_project();
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 2) << "the other one at either end";
   for (std::size_t i = 0; i < project.features.size(); ++i)
-    project.features[i].influence.dissolve =
-        motion::Timing{motion::LinearEase{}, 0.12 + 0.1 * static_cast<double>(i), 0.4};
+    project.features[i].pace.dissolve = motion::Timing{motion::LinearEase{}, 0.12 + 0.1 * static_cast<double>(i), 0.4};
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 4);
 }
 
@@ -100,10 +101,10 @@ TEST(Renderer, MapIsInPixelsOfThePictureFileWhateverItsSize) {
   project::Project project;
   project.output.size = cv::Size(48, 32);
   const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
-  const warp::Map source = renderer.map(0.5, SideName::kSource);
+  const warp::Map source = renderer.map(0.5, kSource);
   EXPECT_EQ(source(0, 0), warp::MapPoint(1, 1));
   EXPECT_EQ(source(31, 47), warp::MapPoint(95, 63));
-  EXPECT_EQ(renderer.map(0.5, SideName::kDestination)(31, 47), warp::MapPoint(47.5f, 31.5f));
+  EXPECT_EQ(renderer.map(0.5, kDestination)(31, 47), warp::MapPoint(47.5f, 31.5f));
 }
 
 TEST(Renderer, LargePicturesAreAveragedNotSkipped) {
@@ -135,11 +136,11 @@ TEST(Renderer, LargeBackgroundsAreAveragedNotSkipped) {
 
 TEST(Renderer, LocalDissolveFollowsTheNearestFeature) {
   project::Project project;
-  project.influence.a = 0.01;
+  project.pull.a = 0.01;
   project.features = {line("left", {{8, 8}, {8, 56}}, {{8, 8}, {8, 56}}),
                       line("right", {{88, 8}, {88, 56}}, {{88, 8}, {88, 56}})};
-  project.features[0].influence.dissolve = motion::Timing{motion::StepEase{0.1}, 0, 1};
-  project.features[1].influence.dissolve = motion::Timing{motion::StepEase{0.9}, 0, 1};
+  project.features[0].pace.dissolve = motion::Timing{motion::StepEase{0.1}, 0, 1};
+  project.features[1].pace.dissolve = motion::Timing{motion::StepEase{0.9}, 0, 1};
   const warp::Image a(kSize, warp::Pixel(0, 0, 0, 1)), b(kSize, warp::Pixel(1, 1, 1, 1));
   const warp::Image frame = Renderer(project, pictures(a, b)).frame(0.5);
   EXPECT_GT(frame(32, 8)[0], 0.99f);

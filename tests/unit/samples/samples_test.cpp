@@ -48,8 +48,8 @@ TEST_P(EverySample, IsTwoPicturesThatItsProjectNames) {
   EXPECT_EQ(sample.name, GetParam());
   EXPECT_FALSE(sample.title.empty());
   ASSERT_EQ(sample.pictures.size(), 2u);
-  EXPECT_EQ(project.source.image, sample.pictures[0].name);
-  EXPECT_EQ(project.destination.image, sample.pictures[1].name);
+  EXPECT_EQ(project.pictures[project::kSource].image, sample.pictures[0].name);
+  EXPECT_EQ(project.pictures[project::kDestination].image, sample.pictures[1].name);
   for (const PaintedPicture& picture : sample.pictures) {
     cv::Scalar mean, deviation;
     cv::meanStdDev(picture.pixels, mean, deviation);
@@ -65,7 +65,8 @@ TEST_P(EverySample, HasUniqueFeaturesOnItsPictures) {
     EXPECT_TRUE(ids.insert(feature.id).second) << feature.id;
     for (const bool is_source : {true, false}) {
       const cv::Size size = sample.pictures[is_source ? 0 : 1].pixels.size();
-      for (const cv::Point2d& p : is_source ? feature.source : feature.destination) {
+      for (const cv::Point2d& p :
+           is_source ? feature.places[project::kSource] : feature.places[project::kDestination]) {
         EXPECT_TRUE(p.x >= 0 && p.y >= 0 && p.x <= size.width && p.y <= size.height)
             << feature.id << ": " << p.x << ", " << p.y;
       }

@@ -13,15 +13,15 @@
 namespace morphkit::edit {
 namespace {
 
-constexpr SideName kHere = SideName::kSource, kThere = SideName::kDestination;
+constexpr SideIndex kHere = kSource, kThere = kDestination;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Points = std::vector<cv::Point2d>;
 
 project::Project empty_project() {
   project::Project project;
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   return project;
 }
 
@@ -42,8 +42,8 @@ void expect_reads_back(const Document& document) {
 project::Feature line(const std::string& id, Points source, Points destination) {
   project::Feature feature;
   feature.id = id;
-  feature.source = std::move(source);
-  feature.destination = std::move(destination);
+  feature.places[project::kSource] = std::move(source);
+  feature.places[project::kDestination] = std::move(destination);
   return feature;
 }
 
@@ -65,9 +65,9 @@ TEST(Document, ASessionOfMarkingAndUndoing) {
   expect_reads_back(document);
 
   EXPECT_TRUE(document.move_point(0, kThere, 1, {70, 30}));
-  EXPECT_EQ(feature(document, 0).destination[1], cv::Point2d(70, 30));
+  EXPECT_EQ(feature(document, 0).places[project::kDestination][1], cv::Point2d(70, 30));
   EXPECT_TRUE(document.undo());
-  EXPECT_EQ(feature(document, 0).destination[1], cv::Point2d(60, 20));
+  EXPECT_EQ(feature(document, 0).places[project::kDestination][1], cv::Point2d(60, 20));
   EXPECT_TRUE(document.undo());
   EXPECT_EQ(document.project().features.size(), 2U);
   EXPECT_TRUE(document.redo());
@@ -113,7 +113,7 @@ TEST(Document, CancelGoesBackAndLeavesWhatCanBeRedone) {
   document.cancel();
   EXPECT_FALSE(document.in_step());
   EXPECT_NE(document.revision(), revision);
-  EXPECT_EQ(feature(document, 0).source[0], cv::Point2d(10, 20));
+  EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(10, 20));
   EXPECT_TRUE(document.redo());
 }
 
@@ -128,7 +128,7 @@ TEST(Document, WhatChangesNothingIsNoStep) {
   document.untune();
   document.group_selected("");
   document.rename(0, "line 1");
-  document.set_method(project::Method::kLines);
+  document.set_method(project::MethodName::kLines);
   document.replace(document.project());
   document.select_none();
   document.erase_selected();
@@ -197,7 +197,8 @@ TEST(NewFeatures, FarOutsideHavePartnersAllTheSame) {
   Document document = document_of();
   EXPECT_EQ(document.add_line(kHere, {-300, -300}, {-200, -250}), 0);
   EXPECT_EQ(document.add_curve(kThere, {{900, 900}, {950, 900}, {950, 950}}, true), 1);
-  EXPECT_NE(feature(document, 0).destination[0], feature(document, 0).destination[1]);
+  EXPECT_NE(feature(document, 0).places[project::kDestination][0],
+            feature(document, 0).places[project::kDestination][1]);
   expect_reads_back(document);
 }
 
@@ -234,8 +235,9 @@ TEST(Counterpart, FollowsEveryLineThatHoldsFast) {
   for (const int i : {0, 1}) {
     const project::Feature& line = feature(document, i);
     for (const double s : {0.25, 0.5, 0.75}) {
-      const cv::Point2d here = line.source[0] * (1 - s) + line.source[1] * s;
-      const cv::Point2d there = line.destination[0] * (1 - s) + line.destination[1] * s;
+      const cv::Point2d here = line.places[project::kSource][0] * (1 - s) + line.places[project::kSource][1] * s;
+      const cv::Point2d there =
+          line.places[project::kDestination][0] * (1 - s) + line.places[project::kDestination][1] * s;
       expect_near(document.counterpart(kHere, here), there, 0.02);
       expect_near(document.counterpart(kThere, there), here, 0.02);
     }
@@ -275,7 +277,7 @@ TEST(MovePoint, DoesNotMakeAFeatureThatIsNone) {
   EXPECT_FALSE(document.move_point(0, kHere, 0, {kNaN, 5}));
   EXPECT_FALSE(document.move_point(1, kHere, 2, {10, 20})) << "joined on one side only";
   EXPECT_TRUE(document.move_point(0, kHere, 0, {-9e9, 5}));
-  EXPECT_EQ(feature(document, 0).source[0], cv::Point2d(-project::kMaxCoordinate, 5));
+  EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(-project::kMaxCoordinate, 5));
   expect_reads_back(document);
 }
 
@@ -284,14 +286,14 @@ TEST(MovePoint, EndsThatMeetOnBothSidesMoveTogether) {
   project.features.push_back(line("dot", {{5, 5}, {5, 5}}, {{9, 9}, {9, 9}}));
   Document document(project, {400, 300}, {400, 300});
   EXPECT_TRUE(document.move_point(0, kThere, 1, {30, 40}));
-  EXPECT_EQ(feature(document, 0).destination, (Points{{30, 40}, {30, 40}}));
+  EXPECT_EQ(feature(document, 0).places[project::kDestination], (Points{{30, 40}, {30, 40}}));
 }
 
 TEST(Move, KeepsTheShapeAtTheLimits) {
   Document document = document_of();
   document.add_line(kHere, {10, 20}, {60, 40});
   document.move_selected(kHere, {5e6, -5e6});
-  const Points& points = feature(document, 0).source;
+  const Points& points = feature(document, 0).places[project::kSource];
   expect_near(points[1] - points[0], {50, 20}, 1e-6);
   EXPECT_EQ(points[1].x, project::kMaxCoordinate);
   EXPECT_EQ(points[0].y, -project::kMaxCoordinate);
@@ -305,8 +307,9 @@ TEST(Duplicate, MovesBothSidesAndSelectsTheCopies) {
   document.duplicate_selected({3, 4});
   EXPECT_EQ(document.selection(), (Selection{{2, 3}, {}}));
   EXPECT_EQ(feature(document, 2).id, "line 2");
-  EXPECT_EQ(feature(document, 2).source[0], cv::Point2d(13, 24));
-  EXPECT_EQ(feature(document, 3).destination[0], feature(document, 1).destination[0] + cv::Point2d(3, 4));
+  EXPECT_EQ(feature(document, 2).places[project::kSource][0], cv::Point2d(13, 24));
+  EXPECT_EQ(feature(document, 3).places[project::kDestination][0],
+            feature(document, 1).places[project::kDestination][0] + cv::Point2d(3, 4));
 }
 
 TEST(Swap, OnBothSidesLeavesTheWarpAndOnOneTurnsIt) {
@@ -315,22 +318,22 @@ TEST(Swap, OnBothSidesLeavesTheWarpAndOnOneTurnsIt) {
   document.move_point(0, kThere, 0, {130, 80});
   const cv::Point2d before = document.counterpart(kHere, {50, 60});
   document.swap_ends_selected();
-  EXPECT_EQ(feature(document, 0).source[0], cv::Point2d(200, 140));
-  EXPECT_EQ(feature(document, 0).destination[1], cv::Point2d(130, 80));
+  EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(200, 140));
+  EXPECT_EQ(feature(document, 0).places[project::kDestination][1], cv::Point2d(130, 80));
   expect_near(document.counterpart(kHere, {50, 60}), before, 1e-3);
   document.swap_end_on(kThere);
-  EXPECT_EQ(feature(document, 0).source[0], cv::Point2d(200, 140));
-  EXPECT_EQ(feature(document, 0).destination[0], cv::Point2d(130, 80));
+  EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(200, 140));
+  EXPECT_EQ(feature(document, 0).places[project::kDestination][0], cv::Point2d(130, 80));
 }
 
 TEST(Swap, AClosedCurveKeepsItsFirstPoint) {
   Document document = document_of();
   document.add_curve(kHere, {{0, 0}, {50, 0}, {50, 50}}, true);
-  const Points before = feature(document, 0).source;
+  const Points before = feature(document, 0).places[project::kSource];
   document.swap_ends_selected();
-  EXPECT_EQ(feature(document, 0).source, before);
+  EXPECT_EQ(feature(document, 0).places[project::kSource], before);
   document.swap_end_on(kHere);
-  EXPECT_EQ(feature(document, 0).source, (Points{{0, 0}, {50, 50}, {50, 0}}));
+  EXPECT_EQ(feature(document, 0).places[project::kSource], (Points{{0, 0}, {50, 50}, {50, 0}}));
 }
 
 TEST(Names, MustBeFreeAndFitTheFile) {
@@ -349,8 +352,8 @@ TEST(Names, MustBeFreeAndFitTheFile) {
 
 TEST(Groups, ComeAndGoWithWhatBelongsToThem) {
   project::Project project = empty_project();
-  project.groups = {{"tuned", {}}, {"idle", {}}};
-  project.groups[0].influence.a = 3;
+  project.groups = {{"tuned", {}, {}}, {"idle", {}, {}}};
+  project.groups[0].pull.a = 3;
   Document document(project, {400, 300}, {400, 300});
   document.add_point(kHere, {1, 2});
   document.group_selected("tuned");
@@ -392,22 +395,23 @@ TEST(Tuning, InheritingLeavesTheRestOfAFeatureAlone) {
   Document first(project, {400, 300}, {400, 300});
   first.add_line(kHere, {10, 20}, {60, 40});
   project = first.project();
-  project.features[0].influence.between = project::Between::kCentre;
-  project.features[0].influence.turns = 1;
-  project.features[0].influence.shape = motion::Timing{motion::SineEase{}, 0.25, 0.5};
-  project.features[0].influence.p = 1;
+  project.features[0].pull.between = project::Between::kCentre;
+  project.features[0].pull.turns = 1;
+  project.features[0].pace.shape = motion::Timing{motion::SineEase{}, 0.25, 0.5};
+  project.features[0].pull.p = 1;
   Document document(project, {400, 300}, {400, 300});
   document.select({{0}, {}});
   document.untune();
-  project::Influence left;
+  project::Pull left;
   left.between = project::Between::kCentre;
   left.turns = 1;
-  EXPECT_EQ(feature(document, 0).influence, left);
+  EXPECT_EQ(feature(document, 0).pull, left);
+  EXPECT_EQ(feature(document, 0).pace, project::Pace{});
 }
 
 TEST(Easings, LeaveDelaysAndDurationsOfEveryFeature) {
   project::Project project = empty_project();
-  project.influence.shape = motion::Timing{motion::LinearEase{}, 0.25, 0.5};
+  project.pace.shape = motion::Timing{motion::LinearEase{}, 0.25, 0.5};
   Document document(project, {400, 300}, {400, 300});
   document.set_easing(Progress::kShape, motion::SineEase{});
   EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
@@ -415,12 +419,12 @@ TEST(Easings, LeaveDelaysAndDurationsOfEveryFeature) {
   document.add_line(kHere, {10, 20}, {60, 40});
   document.add_point(kHere, {5, 6});
   project = document.project();
-  project.features[1].influence.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.25};
+  project.features[1].pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.25};
   document.replace(project);
   document.select({{0, 1}, {}});
   document.set_easing(Progress::kShape, motion::ParabolicEase{});
-  EXPECT_EQ(feature(document, 0).influence.shape, (motion::Timing{motion::ParabolicEase{}, 0.25, 0.5}));
-  EXPECT_EQ(feature(document, 1).influence.shape, (motion::Timing{motion::ParabolicEase{}, 0.5, 0.25}));
+  EXPECT_EQ(feature(document, 0).pace.shape, (motion::Timing{motion::ParabolicEase{}, 0.25, 0.5}));
+  EXPECT_EQ(feature(document, 1).pace.shape, (motion::Timing{motion::ParabolicEase{}, 0.5, 0.25}));
 }
 
 TEST(Easings, ThatTheFileWouldRefuseAreNotSet) {
@@ -438,10 +442,10 @@ TEST(Easings, ThatTheFileWouldRefuseAreNotSet) {
 TEST(Mesh, IsMadeByTheMethodThatNeedsOne) {
   Document document = document_of();
   document.add_point(kHere, {1, 2});
-  document.set_method(project::Method::kMesh);
+  document.set_method(project::MethodName::kMesh);
   ASSERT_TRUE(document.has_mesh());
   EXPECT_EQ(document.mesh_vertices(kHere).size(), 25U);
-  EXPECT_EQ(document.method(), project::Method::kMesh);
+  EXPECT_EQ(document.method(), project::MethodName::kMesh);
   expect_reads_back(document);
   EXPECT_TRUE(document.undo());
   EXPECT_FALSE(document.has_mesh());
@@ -455,7 +459,7 @@ TEST(Mesh, CannotMirror) {
   document.make_mesh(3, 3);
   EXPECT_EQ(document.project().warp.border, warp::Border::kMirror) << "the features still warp";
   document.erase_selected();
-  EXPECT_EQ(document.method(), project::Method::kMesh);
+  EXPECT_EQ(document.method(), project::MethodName::kMesh);
   expect_reads_back(document);
 }
 
@@ -465,7 +469,7 @@ TEST(Mesh, BorderVerticesSlideAndCornersStay) {
   document.undo();
   document.redo();
   document.move_vertices(std::vector{0, 2, 6, 8}, kHere, {9, 9});
-  EXPECT_TRUE(document.project().mesh->source.empty()) << "corners only: nothing has happened";
+  EXPECT_TRUE(document.project().mesh->vertices[project::kSource].empty()) << "corners only: nothing has happened";
   document.move_vertices(std::vector{0, 1, 3, 4, -1, 99}, kHere, {30, 40});
   const Points vertices = document.mesh_vertices(kHere);
   EXPECT_EQ(vertices[0], cv::Point2d(0, 0));
@@ -474,19 +478,16 @@ TEST(Mesh, BorderVerticesSlideAndCornersStay) {
   EXPECT_EQ(vertices[4], cv::Point2d(230, 190));
   document.move_vertices(std::vector{4}, kHere, {1e7, -1e7});
   EXPECT_EQ(document.mesh_vertices(kHere)[4], cv::Point2d(400, 0));
-  EXPECT_TRUE(document.project().mesh->destination.empty());
+  EXPECT_TRUE(document.project().mesh->vertices[project::kDestination].empty());
   EXPECT_EQ(document.mesh_vertices(kThere)[4], cv::Point2d(400, 300));
   expect_reads_back(document);
 }
 
 project::Project grouped_mesh() {
   project::Project project = empty_project();
-  project.groups = {{"a", {}}, {"b", {}}};
-  project.mesh = project::Mesh{.columns = 3,
-                               .rows = 3,
-                               .source = {},
-                               .destination = {},
-                               .groups = {{"a", {{0, 1}, {1, 1}, {2, 2}}}, {"b", {{2, 1}}}}};
+  project.groups = {{"a", {}, {}}, {"b", {}, {}}};
+  project.mesh = project::Mesh{
+      .columns = 3, .rows = 3, .vertices = {{}, {}}, .groups = {{"a", {{0, 1}, {1, 1}, {2, 2}}}, {"b", {{2, 1}}}}};
   return project;
 }
 
@@ -565,7 +566,7 @@ TEST(History, AStepCostsWhatItChanged) {
   const std::size_t first = history.size().parts;
   EXPECT_EQ(first, kFeatures + 3U) << "the rest, the list of features, the groups";
   for (int i = 0; i < kSteps; ++i) {
-    state.project.features[static_cast<std::size_t>(i % kFeatures)].source[0].x += 1;
+    state.project.features[static_cast<std::size_t>(i % kFeatures)].places[kSource][0].x += 1;
     history.push(state);
   }
   const HistorySize size = history.size();

@@ -16,19 +16,19 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-const cv::Size kSource(400, 300), kDestination(640, 200);
+const cv::Size kSourceSize(400, 300), kDestinationSize(640, 200);
 
 project::Project empty_project() {
   project::Project project;
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   return project;
 }
 
 class Walk {
  public:
   explicit Walk(unsigned seed, project::Project project = empty_project())
-      : random_(seed), document(std::move(project), kSource, kDestination) {}
+      : random_(seed), document(std::move(project), kSourceSize, kDestinationSize) {}
 
   /// One operation of any kind, sometimes several in one step.
   void operate() {
@@ -107,7 +107,7 @@ class Walk {
         document.set_easing(static_cast<Progress>(integer(0, 1)), easing());
         break;
       default:
-        document.set_method(integer(0, 1) == 0 ? project::Method::kLines : project::Method::kMesh);
+        document.set_method(integer(0, 1) == 0 ? project::MethodName::kLines : project::MethodName::kMesh);
     }
   }
 
@@ -144,7 +144,7 @@ class Walk {
     }
   }
 
-  SideName side() { return integer(0, 1) == 0 ? SideName::kSource : SideName::kDestination; }
+  SideIndex side() { return integer(0, 1) == 0 ? kSource : kDestination; }
   int feature() { return integer(-1, static_cast<int>(document.project().features.size())); }
   double number(double least, double most) {
     if (integer(0, 60) == 0) return kNaN;
@@ -196,7 +196,7 @@ void expect_valid_selection(const Document& document) {
   for (const int i : document.selection().features)
     ASSERT_LT(static_cast<std::size_t>(i), document.project().features.size());
   for (const int i : document.selection().vertices)
-    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(SideName::kSource).size());
+    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(kSource).size());
 }
 
 void expect_reads_back(const Document& document) {

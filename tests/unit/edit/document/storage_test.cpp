@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 project::Project in_file(const fs::path& file) {
   project::Project project = test::small_project();
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   project.file = file;
   return project;
 }
@@ -128,7 +128,7 @@ TEST(Storage, RefusesProjectsThatCouldNeverBeSaved) {
   EXPECT_TRUE(folder.names().empty());
   EXPECT_THROW(require_savable(in_file(folder / "missing" / "pair.json")), Error);
   project::Project latin = in_file(folder / "pair.json");
-  latin.source.image = "caf\xE9.png";
+  latin.pictures[project::kSource].image = "caf\xE9.png";
   EXPECT_THROW(require_savable(latin), Error);
 }
 

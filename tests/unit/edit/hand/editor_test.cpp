@@ -28,8 +28,8 @@ class EditorSession : public testing::Test {
     if (fs::exists(file())) {
       project = project::load(file());
     } else {
-      project.source.image = source;
-      project.destination.image = "b.png";
+      project.pictures[project::kSource].image = source;
+      project.pictures[project::kDestination].image = "b.png";
       project.file = file();
     }
     open(std::move(project));
@@ -119,7 +119,7 @@ TEST_F(EditorSession, WhatAHandPlacesIsShortInTheFile) {
   open();
   drag({20.123, 30.456}, {120.789, 40.987});
   drag({70, 35}, {75.4, 41.7});  // the whole line
-  for (const cv::Point2d& point : project().features.front().source)
+  for (const cv::Point2d& point : project().features.front().places[project::kSource])
     for (const double value : {point.x, point.y}) EXPECT_EQ(value, std::round(value * 1000) / 1000);
 }
 
@@ -343,7 +343,7 @@ TEST_F(EditorSession, DoesNotOverwriteAProjectOfOtherPictures) {
   press('s');
   EXPECT_NE(question(), "");
   press('c');
-  EXPECT_EQ(project::load(file()).source.image, "c.png");
+  EXPECT_EQ(project::load(file()).pictures[kSource].image, "c.png");
 }
 
 TEST_F(EditorSession, OverwritesWhenToldTo) {

@@ -65,7 +65,7 @@ TEST_F(GestureSession, WidgetsDoWhatTheySay) {
 TEST_F(GestureSession, EasingsGoRoundAndKeepTheirTimes) {
   const motion::Timing slow{motion::LinearEase{}, 0.25, 0.5};
   project::Project project = document().project();
-  project.influence.shape = slow;
+  project.pace.shape = slow;
   model.document.replace(project);
   std::set<std::size_t> seen;
   for (int i = 0; i < 5; ++i) {
@@ -202,7 +202,7 @@ TEST_F(GestureSession, DeletesDuplicatesAndGoesRound) {
   key('d');
   ASSERT_EQ(features().size(), 4U);
   EXPECT_EQ(selected(), Indices{3});
-  EXPECT_NE(features()[3].source, features()[0].source);
+  EXPECT_NE(features()[3].places[project::kSource], features()[0].places[project::kSource]);
   key(kKeyDelete);
   EXPECT_EQ(features().size(), 3U);
   EXPECT_NE(model.message.find("deleted"), std::string::npos);
@@ -231,7 +231,7 @@ TEST_F(GestureSession, WhatWasHeldMayHaveGone) {
   key('a');
   move(kSource, {10, 10});
   key('l');
-  EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{101, 50}, {301, 50}}));
+  EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{101, 50}, {301, 50}}));
 }
 
 TEST_F(GestureSession, TimeGoesForthAndBack) {

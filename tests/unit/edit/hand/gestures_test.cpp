@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/edit/document/marks.h"
 #include "tests/unit/edit/hand/hand.h"
 
 namespace morphkit::edit {
@@ -15,25 +16,26 @@ namespace {
 TEST_F(GestureSession, MarksDragsUndoesSwapsAndGroups) {
   mark_three_lines();
   ASSERT_EQ(features().size(), 3U);
-  EXPECT_EQ(features()[1].source, (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
+  EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
   EXPECT_EQ(selected(), Indices{2});
 
   drag(kDestination, {300, 150}, {320, 130});
-  EXPECT_EQ(features()[1].destination[1], cv::Point2d(320, 130));
-  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
+  EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(320, 130));
+  EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   EXPECT_EQ(selected(), Indices{1});
   key('z');
-  EXPECT_EQ(features()[1].destination[1], cv::Point2d(300, 150)) << "from press to release is one step";
+  EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(300, 150))
+      << "from press to release is one step";
   key('y');
-  EXPECT_EQ(features()[1].destination[1], cv::Point2d(320, 130));
+  EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(320, 130));
 
   move(kDestination, {10, 10});
   key('w');
-  EXPECT_EQ(features()[1].destination[0], cv::Point2d(320, 130));
-  EXPECT_EQ(features()[1].source[0], cv::Point2d(100, 150));
+  EXPECT_EQ(features()[1].places[project::kDestination][0], cv::Point2d(320, 130));
+  EXPECT_EQ(features()[1].places[project::kSource][0], cv::Point2d(100, 150));
   key('e');
-  EXPECT_EQ(features()[1].destination[1], cv::Point2d(320, 130));
-  EXPECT_EQ(features()[1].source[0], cv::Point2d(300, 150));
+  EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(320, 130));
+  EXPECT_EQ(features()[1].places[project::kSource][0], cv::Point2d(300, 150));
 
   key('a');
   key('g');
@@ -48,10 +50,11 @@ TEST_F(GestureSession, TheFarEndOfANewPartnerIsHeld) {
   EXPECT_EQ(model.held, (Handle{kDestination, 0, 1, -1}));
   move(kDestination, {10, 10});
   type("lki");
-  EXPECT_EQ(features()[0].destination, (std::vector<cv::Point2d>{{100, 50}, {301, 50}}));
+  EXPECT_EQ(features()[0].places[project::kDestination], (std::vector<cv::Point2d>{{100, 50}, {301, 50}}));
   move(kSource, {10, 10});
   key('j');
-  EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{99, 50}, {299, 50}})) << "nothing is held there";
+  EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{99, 50}, {299, 50}}))
+      << "nothing is held there";
 }
 
 TEST_F(GestureSession, NudgesByAPixelOfTheScreen) {
@@ -59,12 +62,12 @@ TEST_F(GestureSession, NudgesByAPixelOfTheScreen) {
   model.source_view.zoom = 4;
   move(kSource, {200, 150});
   key('k');
-  EXPECT_EQ(features()[0].source[0], cv::Point2d(100, 50.25));
+  EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(100, 50.25));
 }
 
 TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
   drag(kDestination, {100, 50}, {300, 50});
-  const auto nudged = [&] { return features()[0].destination[0] != cv::Point2d(100, 50); };
+  const auto nudged = [&] { return features()[0].places[project::kDestination][0] != cv::Point2d(100, 50); };
   key('a');
   const cv::Rect result = layout().pane(Pane::kResult);
   drag(result.tl() + cv::Point(9, 9), result.tl() + cv::Point(30, 30));
@@ -81,8 +84,8 @@ TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
   click(kDestination, {100, 50});
   mouse(What::kMove, {800, 895});
   key('w');
-  EXPECT_EQ(features()[0].destination[0], cv::Point2d(300, 50));
-  EXPECT_EQ(features()[0].source[0], cv::Point2d(100, 50));
+  EXPECT_EQ(features()[0].places[project::kDestination][0], cv::Point2d(300, 50));
+  EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(100, 50));
 }
 
 TEST_F(GestureSession, NudgesAreShortInTheFile) {
@@ -91,7 +94,7 @@ TEST_F(GestureSession, NudgesAreShortInTheFile) {
   key('a');
   move(kSource, {200, 150});
   key('l');
-  EXPECT_EQ(features()[0].source[0], cv::Point2d(102.7, 50));
+  EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(102.7, 50));
 }
 
 TEST_F(GestureSession, AllAndTheNextAreOfWhatTheToolHolds) {
@@ -139,13 +142,13 @@ TEST_F(GestureSession, EndsComeBeforeBodiesAndTheNearestWinsInEveryTool) {
 
 TEST_F(GestureSession, AClickMovesNothingEvenIfTheHandTrembles) {
   mark_three_lines();
-  edges = [](SideName, cv::Point2d position) { return position + cv::Point2d(5, 5); };
+  edges = [](SideIndex, cv::Point2d position) { return position + cv::Point2d(5, 5); };
   for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {  // an end, and a whole
     press(kSource, start);
     move(kSource, start + cv::Point2d(2, -2));
     move(kSource, start + cv::Point2d(3, 1));
     release();
-    EXPECT_EQ(features()[1].source, (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
+    EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
     EXPECT_EQ(selected(), Indices{1});
   }
   EXPECT_EQ(steps_back(), 3);
@@ -155,15 +158,15 @@ TEST_F(GestureSession, ADragThatComesBackChangesNothing) {
   mark_three_lines();
   key('a');
   model.document.move_selected(kSource, {1.0 / 3, 0});
-  const std::vector<cv::Point2d> before = features()[1].source;
+  const std::vector<cv::Point2d> before = features()[1].places[project::kSource];
   for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {
     press(kSource, start);
     move(kSource, start + cv::Point2d(20, 0));
-    EXPECT_NE(features()[1].source, before);
+    EXPECT_NE(features()[1].places[project::kSource], before);
     move(kSource, start + cv::Point2d(1, 0));
-    EXPECT_NE(features()[1].source, before) << "a drag goes on as finely as the hand";
+    EXPECT_NE(features()[1].places[project::kSource], before) << "a drag goes on as finely as the hand";
     move(kSource, start);
-    EXPECT_EQ(features()[1].source, before);
+    EXPECT_EQ(features()[1].places[project::kSource], before);
     release();
   }
   EXPECT_EQ(steps_back(), 3 + 1);
@@ -190,8 +193,9 @@ TEST_F(GestureSession, CtrlDrawsWhereAMarkCouldBeDragged) {
   keys.ctrl = true;
   drag(kSource, {297, 152}, {350, 220});
   ASSERT_EQ(features().size(), 4U);
-  EXPECT_EQ(features()[3].source, (std::vector<cv::Point2d>{{300, 150}, {350, 220}})) << "from the end under it";
-  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
+  EXPECT_EQ(features()[3].places[project::kSource], (std::vector<cv::Point2d>{{300, 150}, {350, 220}}))
+      << "from the end under it";
+  EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   key('3');
   click(kSource, {200, 250});
   EXPECT_EQ(features().size(), 5U);
@@ -207,7 +211,7 @@ TEST_F(GestureSession, HiddenMarksAreNotHeldAndDrawingShowsThem) {
   EXPECT_FALSE(model.hover);
   drag(kSource, {305, 150}, {350, 220});
   EXPECT_EQ(features().size(), 4U);
-  EXPECT_EQ(features()[1].source[1], cv::Point2d(300, 150));
+  EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   EXPECT_TRUE(model.switches.features);
 }
 
@@ -216,7 +220,7 @@ TEST_F(GestureSession, AMarkThatDoesNothingSaysSo) {
   EXPECT_NE(model.message.find("put its partner right"), std::string::npos) << model.message;
   key('5');
   click(kSource, {30, 80});
-  ASSERT_EQ(document().method(), project::Method::kMesh);
+  ASSERT_EQ(document().method(), project::MethodName::kMesh);
   for (const char tool : {'2', '3', '4'}) {
     key(tool);
     drag(kSource, {110.0 + tool, 180}, {300, 230});
@@ -244,16 +248,16 @@ TEST_F(GestureSession, TheBodyDragsTheFeatureAndAllThatAreSelectedWithIt) {
   mark_three_lines();
   key('1');
   drag(kSource, {200, 150}, {210, 160});
-  EXPECT_EQ(features()[1].source, (std::vector<cv::Point2d>{{110, 160}, {310, 160}}));
-  EXPECT_EQ(features()[1].destination[0], cv::Point2d(100, 150)) << "on that side alone";
+  EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{110, 160}, {310, 160}}));
+  EXPECT_EQ(features()[1].places[project::kDestination][0], cv::Point2d(100, 150)) << "on that side alone";
   keys.shift = true;
   click(kSource, {200, 50});
   EXPECT_EQ(selected(), (Indices{0, 1}));
   keys.shift = false;
   drag(kSource, {200, 50}, {195, 40});
-  EXPECT_EQ(features()[0].source[0], cv::Point2d(95, 40));
-  EXPECT_EQ(features()[1].source[0], cv::Point2d(105, 150));
-  EXPECT_EQ(features()[2].source[0], cv::Point2d(100, 250));
+  EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(95, 40));
+  EXPECT_EQ(features()[1].places[project::kSource][0], cv::Point2d(105, 150));
+  EXPECT_EQ(features()[2].places[project::kSource][0], cv::Point2d(100, 250));
   keys.shift = true;
   click(kSource, {195, 40});
   EXPECT_EQ(selected(), Indices{1});
@@ -283,8 +287,8 @@ TEST_F(GestureSession, APointIsPlacedAndAdjustedInOneStep) {
   key('3');
   drag(kDestination, {100, 100}, {120, 110});
   ASSERT_EQ(features().size(), 1U);
-  EXPECT_EQ(features()[0].destination, (std::vector<cv::Point2d>{{120, 110}}));
-  EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{100, 100}}));
+  EXPECT_EQ(features()[0].places[project::kDestination], (std::vector<cv::Point2d>{{120, 110}}));
+  EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{100, 100}}));
   EXPECT_EQ(steps_back(), 1);
 }
 
@@ -299,21 +303,21 @@ TEST_F(GestureSession, CurvesEndOpenOrClosed) {
   EXPECT_TRUE(features().empty());
   key(kKeyEnter);
   ASSERT_EQ(features().size(), 1U);
-  EXPECT_EQ(features()[0].source, places);
-  EXPECT_FALSE(features()[0].closed);
+  EXPECT_EQ(features()[0].places[project::kSource], places);
+  EXPECT_FALSE(is_closed(features()[0]));
   key('x');
 
   click_all();
   mouse(What::kDoubleClick, at(kSource, places.back()));
   ASSERT_EQ(features().size(), 1U);
-  EXPECT_EQ(features()[0].source, places);
-  EXPECT_FALSE(features()[0].closed);
+  EXPECT_EQ(features()[0].places[project::kSource], places);
+  EXPECT_FALSE(is_closed(features()[0]));
   key('x');
 
   click_all();
   click(kSource, places.front());
   ASSERT_EQ(features().size(), 1U);
-  EXPECT_TRUE(features()[0].closed);
+  EXPECT_TRUE(is_closed(features()[0]));
   EXPECT_FALSE(model.sketch);
 }
 
@@ -358,7 +362,7 @@ TEST_F(GestureSession, AnotherToolEndsTheCurve) {
     }
     EXPECT_FALSE(model.sketch);
     ASSERT_EQ(features().size(), 1U);
-    EXPECT_EQ(features()[0].source, (std::vector<cv::Point2d>{{100, 100}, {200, 60}}));
+    EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{100, 100}, {200, 60}}));
     key('x');
   }
 }
@@ -367,8 +371,10 @@ TEST_F(GestureSession, MeshesAreMadeDraggedGrownAndShrunk) {
   key('5');
   click(kSource, {30, 30});
   ASSERT_TRUE(document().has_mesh());
-  EXPECT_EQ(document().method(), project::Method::kMesh);
-  const auto vertex = [&](SideName side, int i) { return document().mesh_vertices(side)[static_cast<std::size_t>(i)]; };
+  EXPECT_EQ(document().method(), project::MethodName::kMesh);
+  const auto vertex = [&](SideIndex side, int i) {
+    return document().mesh_vertices(side)[static_cast<std::size_t>(i)];
+  };
   drag(kDestination, {200, 150}, {210, 140});
   EXPECT_EQ(vertex(kDestination, 12), cv::Point2d(210, 140));
   EXPECT_EQ(vertex(kSource, 12), cv::Point2d(200, 150));
@@ -418,7 +424,7 @@ TEST_F(GestureSession, MeshKeysWaitForTheMeshTool) {
 
 TEST_F(GestureSession, SnapsToEndsThenToEdgesUnlessTold) {
   drag(kSource, {100, 50}, {300, 50});
-  edges = [](SideName, cv::Point2d position) { return cv::Point2d(position.x, 200); };
+  edges = [](SideIndex, cv::Point2d position) { return cv::Point2d(position.x, 200); };
   press(kSource, {100, 196});
   EXPECT_EQ(model.snapped, cv::Point2d(100, 200));
   EXPECT_EQ(asked.radius, kEdgeReach);
@@ -427,24 +433,24 @@ TEST_F(GestureSession, SnapsToEndsThenToEdgesUnlessTold) {
   EXPECT_EQ(model.snapped, cv::Point2d(300, 50)) << "ends first";
   release();
   EXPECT_FALSE(model.snapped);
-  EXPECT_EQ(features()[1].source, (std::vector<cv::Point2d>{{100, 200}, {300, 50}}));
+  EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 200}, {300, 50}}));
 
   keys.alt = true;
   drag(kSource, {150, 120}, {250, 120});
-  EXPECT_EQ(features()[2].source[0], cv::Point2d(150, 120));
+  EXPECT_EQ(features()[2].places[project::kSource][0], cv::Point2d(150, 120));
   keys.alt = false;
   key('b');
   drag(kSource, {150, 140}, {250, 140});
-  EXPECT_EQ(features()[3].source[0], cv::Point2d(150, 140));
+  EXPECT_EQ(features()[3].places[project::kSource][0], cv::Point2d(150, 140));
   key('b');
   edges = nullptr;
   drag(kSource, {150, 140}, {251, 125});
-  EXPECT_EQ(features()[3].source[0], cv::Point2d(250, 120)) << "while an end is dragged, too";
+  EXPECT_EQ(features()[3].places[project::kSource][0], cv::Point2d(250, 120)) << "while an end is dragged, too";
 }
 
 TEST_F(GestureSession, ReachesAreThoseOfTheScreen) {
   model.source_view.zoom = 4;
-  edges = [](SideName, cv::Point2d) { return std::nullopt; };
+  edges = [](SideIndex, cv::Point2d) { return std::nullopt; };
   press(kSource, {200, 150});
   EXPECT_EQ(asked.radius, kEdgeReach / 4);
   EXPECT_EQ(asked.zoom, 4);

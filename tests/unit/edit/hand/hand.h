@@ -21,12 +21,11 @@ using Indices = std::vector<int>;
 
 inline const cv::Size kPicture(400, 300);
 inline const cv::Size kWindow(1600, 900);  ///< where the layout's scale is 1
-inline constexpr SideName kSource = SideName::kSource, kDestination = SideName::kDestination;
 
 inline project::Project empty_project() {
   project::Project project;
-  project.source.image = "a.png";
-  project.destination.image = "b.png";
+  project.pictures[project::kSource].image = "a.png";
+  project.pictures[project::kDestination].image = "b.png";
   return project;
 }
 
@@ -34,7 +33,7 @@ inline project::Project empty_project() {
 struct Hand {
   explicit Hand(cv::Size destination = kPicture)
       : model(empty_project(), kPicture, destination, kWindow),
-        gestures(model, [this](SideName side, cv::Point2d position, double radius, double zoom) {
+        gestures(model, [this](SideIndex side, cv::Point2d position, double radius, double zoom) {
           asked = {radius, zoom};
           return edges ? edges(side, position) : std::nullopt;
         }) {
@@ -47,7 +46,7 @@ struct Hand {
   const Indices& selected() const { return document().selection().features; }
   Layout layout() const { return layout_of(model); }
 
-  cv::Point at(SideName side, cv::Point2d position) const {
+  cv::Point at(SideIndex side, cv::Point2d position) const {
     return to_canvas(model, layout(), pane_of(side), position);
   }
   cv::Point2d under(Pane pane, cv::Point canvas) const { return to_content(model, layout(), pane, canvas); }
@@ -59,8 +58,8 @@ struct Hand {
     event.position = position;
     return gestures.mouse(event);
   }
-  std::optional<Wish> press(SideName side, cv::Point2d position) { return mouse(What::kPress, at(side, position)); }
-  void move(SideName side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
+  std::optional<Wish> press(SideIndex side, cv::Point2d position) { return mouse(What::kPress, at(side, position)); }
+  void move(SideIndex side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
   void release() { mouse(What::kRelease, model.mouse); }
   void drag(cv::Point from, cv::Point to, Button button = Button::kLeft) {
     mouse(What::kPress, from, button);
@@ -68,8 +67,8 @@ struct Hand {
     mouse(What::kMove, to);
     mouse(What::kRelease, to, button);
   }
-  void drag(SideName side, cv::Point2d from, cv::Point2d to) { drag(at(side, from), at(side, to)); }
-  void click(SideName side, cv::Point2d position) { drag(side, position, position); }
+  void drag(SideIndex side, cv::Point2d from, cv::Point2d to) { drag(at(side, from), at(side, to)); }
+  void click(SideIndex side, cv::Point2d position) { drag(side, position, position); }
   void wheel(cv::Point position, double notches) {
     Mouse event;
     event.what = What::kWheel;
@@ -107,7 +106,7 @@ struct Hand {
   }
 
   Model model;
-  std::function<std::optional<cv::Point2d>(SideName, cv::Point2d)> edges;
+  std::function<std::optional<cv::Point2d>(SideIndex, cv::Point2d)> edges;
   struct {
     double radius = 0, zoom = 0;
   } asked;

@@ -85,11 +85,12 @@ TEST_F(PreviewTest, ABackgroundColourLiesUnderTheFrame) {
 TEST_F(PreviewTest, AMeshIsRenderedToo) {
   use(test::random_image(kSize, 5), test::random_image(kSize, 6));
   project_.features.clear();
-  project_.mesh = project::Mesh{4, 3, {}, {}, {}};
+  project_.mesh = project::Mesh{4, 3, {{}, {}}, {}};
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 4; ++x) {
-      project_.mesh->source.emplace_back(x * 32, y * 32);
-      project_.mesh->destination.emplace_back(x * 32 + (x == 1 ? 6 : 0), y * 32 - (y == 1 && x % 3 != 0 ? 5 : 0));
+      project_.mesh->vertices[project::kSource].emplace_back(x * 32, y * 32);
+      project_.mesh->vertices[project::kDestination].emplace_back(x * 32 + (x == 1 ? 6 : 0),
+                                                                  y * 32 - (y == 1 && x % 3 != 0 ? 5 : 0));
     }
   EXPECT_LE(greatest_difference(rendered(whole(0.5)).image, to_screen(renderer().frame(0.5))), 1);
 }
@@ -107,12 +108,12 @@ TEST_F(PreviewTest, ASmallerOrLargerViewShowsTheSameWarp) {
   // The weights, and the lines that curves are made of, must not depend on how the canvas is looked at.
   const cv::Size size(384, 256);
   use(smooth_image(size, 9), smooth_image(size, 10));
-  project_.influence.a = 5;
-  project_.influence.p = 0.5;
-  project_.features[0].influence.b = 1.2;
-  project_.features[1].influence.p = 1;
+  project_.pull.a = 5;
+  project_.pull.p = 0.5;
+  project_.features[0].pull.b = 1.2;
+  project_.features[1].pull.p = 1;
   for (project::Feature& feature : project_.features)
-    for (auto* points : {&feature.source, &feature.destination})
+    for (auto* points : {&feature.places[project::kSource], &feature.places[project::kDestination]})
       for (cv::Point2d& point : *points) point *= 4;
   const warp::Image frame = renderer().frame(0.5);
   for (const double zoom : {0.5, 0.25, 2.0}) {
@@ -229,7 +230,7 @@ TEST_F(PreviewTest, FoldsArePaintedAndCounted) {
 TEST_F(PreviewTest, WhatCannotBeRenderedIsAProblemAndNoPicture) {
   use(test::random_image(kSize, 19), test::random_image(kSize, 20));
   project_.features.clear();
-  project_.mesh = project::Mesh{2, 2, {{0, 0}, {500, 0}, {0, 64}, {500, 64}}, {}, {}};
+  project_.mesh = project::Mesh{2, 2, {{{0, 0}, {500, 0}, {0, 64}, {500, 64}}, {}}, {}};
   PreviewRequest request = whole(0.5);
   request.number = 7;
   PreviewRenderer renders(*source_, *destination_);
