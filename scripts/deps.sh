@@ -13,7 +13,10 @@ packages=(
 )
 case "${1-}" in
   "") ;;
-  --ci) packages+=(clang clang-format clang-tidy libclang-rt-14-dev cppcheck xvfb openbox xdotool imagemagick) ;;
+  --ci)
+    packages+=(clang clang-format clang-tidy libclang-rt-14-dev xvfb openbox xdotool imagemagick)
+    packages+=(dpkg-dev file desktop-file-utils man-db) # the Debian package and what is in it
+    ;;
   *) echo "usage: scripts/deps.sh [--ci]" >&2; exit 2 ;;
 esac
 

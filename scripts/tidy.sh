@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# clang-tidy over the product's sources; needs a release build, for its compilation database.
+#   scripts/tidy.sh          what has changed since the commit in .ci/tidy-base, at which all of them passed
+#   scripts/tidy.sh --all    all; afterwards .ci/tidy-base names the current commit
+# A changed header is checked through the source of its name, or else through one source that includes it. Changed checks
+# (.clang-tidy), or a history that lacks the commit, mean all.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folders=(base warp morph samples cli)
+base=$(cat .ci/tidy-base)
+
+check() {
+  local pattern
+  pattern=$(printf '|%s' "$@")
+  run-clang-tidy -quiet -p build/release -j "$(nproc)" "^$PWD/(${pattern:1})"
+}
+
+changed_sources() {
+  local file
+  git diff --name-only --diff-filter=d "$base" -- "${folders[@]/%//*.cpp}"
+  git diff --name-only --diff-filter=d "$base" -- "${folders[@]/%//*.h}" | while read -r file; do
+    if [[ -f ${file%.h}.cpp ]]; then
+      echo "${file%.h}.cpp"
+    else
+      git grep -lF "#include \"$file\"" -- "${folders[@]/%//*.cpp}" | head -n 1 || true
+    fi
+  done
+}
+
+if [[ ${1-} == --all ]]; then
+  check "${folders[@]/%//}"
+  git rev-parse HEAD > .ci/tidy-base
+elif ! git cat-file -e "$base^{commit}" 2> /dev/null || ! git diff --quiet "$base" -- .clang-tidy; then
+  echo "All sources: $base is not in the history, or the checks have changed since"
+  check "${folders[@]/%//}"
+else
+  mapfile -t sources < <(changed_sources | sort -u)
+  echo "${#sources[@]} sources have changed since $base"
+  ((${#sources[@]} == 0)) || check "${sources[@]/%/\$}"
+fi
