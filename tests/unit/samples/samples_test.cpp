@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,13 @@ namespace {
 
 class EverySample : public testing::TestWithParam<std::string> {};
 
+/// The sample, painted once for all tests of this program.
+const Sample& painted(const std::string& name) {
+  static std::map<std::string, Sample> all;
+  const auto found = all.find(name);
+  return found != all.end() ? found->second : all.emplace(name, paint(name)).first->second;
+}
+
 bool same_bytes(const cv::Mat4b& a, const cv::Mat4b& b) {
   return a.size() == b.size() && a.isContinuous() && b.isContinuous() &&
          std::memcmp(a.data, b.data, a.total() * a.elemSize()) == 0;
@@ -27,7 +36,7 @@ project::Project project_of(const Sample& sample) {
 }
 
 TEST_P(EverySample, IsTheSameForAnyNumberOfThreads) {
-  const Sample first = paint(GetParam());
+  const Sample& first = painted(GetParam());
   for (const int threads : {1, 2, 5}) {
     SCOPED_TRACE(threads);
     set_threads(threads);
@@ -43,7 +52,7 @@ TEST_P(EverySample, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_P(EverySample, IsTwoPicturesThatItsProjectNames) {
-  const Sample sample = paint(GetParam());
+  const Sample& sample = painted(GetParam());
   const project::Project project = project_of(sample);
   EXPECT_EQ(sample.name, GetParam());
   EXPECT_FALSE(sample.title.empty());
@@ -58,7 +67,7 @@ TEST_P(EverySample, IsTwoPicturesThatItsProjectNames) {
 }
 
 TEST_P(EverySample, HasUniqueFeaturesOnItsPictures) {
-  const Sample sample = paint(GetParam());
+  const Sample& sample = painted(GetParam());
   const project::Project project = project_of(sample);
   std::set<std::string> ids;
   for (const project::Feature& feature : project.features) {
@@ -85,7 +94,7 @@ double part_with_alpha(const cv::Mat4b& pixels, int low, int high) {
 
 TEST(Samples, ObjectsAreCutOutAndTheOthersOpaque) {
   for (const std::string& name : names()) {
-    for (const PaintedPicture& picture : paint(name).pictures) {
+    for (const PaintedPicture& picture : painted(name).pictures) {
       SCOPED_TRACE(picture.name);
       if (name == "objects") {
         EXPECT_GT(part_with_alpha(picture.pixels, 0, 0), 0.2);      // nothing around them
@@ -99,13 +108,13 @@ TEST(Samples, ObjectsAreCutOutAndTheOthersOpaque) {
 }
 
 TEST(Samples, ScenesDifferInSize) {
-  const Sample scenes = paint("scenes");
+  const Sample& scenes = painted("scenes");
   EXPECT_EQ(scenes.pictures[0].pixels.size(), cv::Size(1280, 720));
   EXPECT_EQ(scenes.pictures[1].pixels.size(), cv::Size(960, 800));
 }
 
 TEST(Samples, PortraitsHaveManyFeatures) {
-  EXPECT_GE(project_of(paint("portraits")).features.size(), 25u);
+  EXPECT_GE(project_of(painted("portraits")).features.size(), 25u);
 }
 
 TEST(Samples, UnknownNamesAreRefusedByName) {
