@@ -10,12 +10,30 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/command_shape.h"
+#include "cli/man_page.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
 namespace {
 
-int run_help(const CommandLine& line, const std::string& command, Output& output) {
+struct HelpOptions {
+  std::string command;
+  bool man = false;
+};
+
+/// The page of the program points to those of all commands, and they to it.
+std::string man_page(const CommandLine& line, const std::string& command, const std::string& help) {
+  const CommandShape program = line.shape();
+  ManPage page{command.empty() ? program.name : program.name + " " + command, MORPHKIT_VERSION, help, {program.name}};
+  if (command.empty()) {
+    page.see_also.clear();
+    for (const std::string& name : command_names(program)) page.see_also.push_back(program.name + " " + name);
+  }
+  return to_roff(page);
+}
+
+int run_help(const CommandLine& line, const HelpOptions& options, Output& output) {
+  const std::string& command = options.command;
   const std::optional<std::string> text = line.help(command);
   if (!text) {
     const auto similar = nearest(command, command_names(line.shape()));
@@ -23,19 +41,21 @@ int run_help(const CommandLine& line, const std::string& command, Output& output
         ErrorCode::kUsage, "help",
         fmt::format("unknown command '{}'{}", command, similar ? fmt::format("; did you mean '{}'?", *similar) : ""));
   }
-  output.print(*text);
+  output.print(options.man ? man_page(line, command, *text) : *text);
   return 0;
 }
 
 }  // namespace
 
 void add_help(CommandLine& line, Session& session) {
-  auto name = std::make_shared<std::string>();
+  auto options = std::make_shared<HelpOptions>();
   const std::vector<std::string> commands = command_names(line.shape());
   Options command =
       add_command(line, session, {"help", "Print the help of a command", "  morphkit help compare", kHelpGroup},
-                  [&line, name](Output& output) { return run_help(line, *name, output); });
-  command.text("COMMAND", *name, "Which; all if left out", fmt::format("{{{},help}}", fmt::join(commands, ",")));
+                  [&line, options](Output& output) { return run_help(line, *options, output); });
+  command.text("COMMAND", options->command, "Which; all if left out",
+               fmt::format("{{{},help}}", fmt::join(commands, ",")));
+  command.flag("--man", options->man, "Print a manual page in roff: morphkit help --man morph | man -l -");
 }
 
 }  // namespace morphkit::cli
