@@ -8,10 +8,11 @@ endforeach()
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/morphkit")
 get_property(libraries GLOBAL PROPERTY MORPHKIT_LIBRARIES)
-install(TARGETS ${libraries} EXPORT morphkitTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT morphkitTargets NAMESPACE morphkit:: DESTINATION ${package_dir})
+install(TARGETS ${libraries} EXPORT morphkitTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT morphkitTargets NAMESPACE morphkit:: DESTINATION ${package_dir} COMPONENT development)
 
 configure_package_config_file(cmake/morphkitConfig.cmake.in morphkitConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(morphkitConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/morphkitConfig.cmake" "${PROJECT_BINARY_DIR}/morphkitConfigVersion.cmake"
-  DESTINATION ${package_dir})
+  DESTINATION ${package_dir} COMPONENT development)

@@ -36,7 +36,7 @@ function(morphkit_library name)
     PRIVATE $<BUILD_INTERFACE:morphkit_options> ${ARG_PRIVATE})
   set_property(GLOBAL APPEND PROPERTY MORPHKIT_LIBRARIES morphkit_${name})
   file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-  install(FILES ${ARG_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphkit/${folder})
+  install(FILES ${ARG_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/morphkit/${folder} COMPONENT development)
 endfunction()
 
 # morphkit_test(<name> SOURCES ... LIBS ...)
