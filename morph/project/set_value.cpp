@@ -1,0 +1,105 @@
+// One key of the document changed by its address: the document as a tree, the value put in its place, read again.
+// So every rule and every message is the one that a file meets.
+
+#include "morph/project/set_value.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/words.h"
+#include "morph/json/json.h"
+#include "morph/project/build.h"
+#include "morph/project/read_project.h"
+
+namespace morphkit::project {
+namespace {
+
+using json::Kind;
+using json::Node;
+
+/// VALUE is JSON; what is no JSON is a string.
+Node value_of(std::string_view text) {
+  try {
+    return json::parse(std::string(text), "value");
+  } catch (const Error&) {
+    return Node::string(std::string(text));
+  }
+}
+
+/// The index in a list of the item that has the id.
+std::size_t index_of(const Node& list, std::string_view id, std::string_view path) {
+  std::vector<std::string_view> ids;
+  for (const Node& item : list.items) {
+    const Node* own = item.find("id");
+    ids.push_back(own ? std::string_view(own->text) : "");
+    if (own && own->text == id) return ids.size() - 1;
+  }
+  const auto meant = nearest(id, ids);
+  throw Error(ErrorCode::kBadInput, std::string(path),
+              fmt::format("nothing here has the id {}{}", json::shown(id),
+                          meant ? fmt::format("; did you mean {}?", json::shown(*meant)) : ""));
+}
+
+/// A place in the document as it is written: without defaults, and beside it the same place with all of them.
+struct Place {
+  Node* brief;
+  const Node* full;  ///< nothing where the document says nothing
+
+  /// An object written as a word alone, such as an easing, becomes the object that says no more.
+  void open() const {
+    if (!brief->is(Kind::kString) || !full || !full->is(Kind::kObject)) return;
+    Node object = Node::object();
+    object.set(full->keys.front(), *brief);
+    *brief = std::move(object);
+  }
+
+  Place key(std::string_view name) const {
+    const Node* inner = full ? full->find(name) : nullptr;
+    const auto found = std::find(brief->keys.begin(), brief->keys.end(), name);
+    const auto index = static_cast<std::size_t>(found - brief->keys.begin());
+    if (found == brief->keys.end()) brief->set(std::string(name), Node::object());
+    return {&brief->items[index], inner};
+  }
+};
+
+Place find_place(Place at, std::string_view path) {
+  std::string_view rest = path;
+  do {
+    at.open();
+    if (!at.brief->is(Kind::kObject)) throw Error(ErrorCode::kBadInput, std::string(path), "there is no such key");
+    const std::size_t end = std::min(rest.find_first_of("./"), rest.size());
+    at = at.key(rest.substr(0, end));
+    const bool enters = end < rest.size() && rest[end] == '/';
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (!enters) continue;
+    const std::size_t id_end = std::min(rest.find('.'), rest.size());
+    const std::size_t index = index_of(*at.brief, rest.substr(0, id_end), path);
+    at = {&at.brief->items[index], at.full ? &at.full->items[index] : nullptr};
+    rest.remove_prefix(std::min(id_end + 1, rest.size()));
+  } while (!rest.empty());
+  return at;
+}
+
+}  // namespace
+
+void set_value(Project& project, std::string_view path, std::string_view value) {
+  Node root = build(project, false);
+  const Node full = build(project, true);
+  *find_place({&root, &full}, path).brief = value_of(value);
+  try {
+    Project changed = read_project({std::string(path), root});
+    changed.file = project.file;
+    changed.original = project.original;
+    project = std::move(changed);
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(path), error.message());
+  }
+}
+
+}  // namespace morphkit::project
