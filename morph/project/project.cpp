@@ -75,8 +75,12 @@ Pace effective_pace(const Project& project, const Feature& feature) {
 }
 
 bool same_document(const Project& a, const Project& b) {
-  return a.pictures == b.pictures && a.features == b.features && a.groups == b.groups && a.mesh == b.mesh &&
-         a.warp == b.warp && a.pull == b.pull && a.pace == b.pace && a.blend == b.blend && a.output == b.output;
+  // A new member of Project does not compile here until it is compared or left out on purpose.
+  const auto& [pictures, features, groups, mesh, warp, pull, pace, blend, output, file, original] = a;
+  static_cast<void>(file);
+  static_cast<void>(original);
+  return pictures == b.pictures && features == b.features && groups == b.groups && mesh == b.mesh && warp == b.warp &&
+         pull == b.pull && pace == b.pace && blend == b.blend && output == b.output;
 }
 
 }  // namespace morphkit::project
