@@ -27,20 +27,14 @@ std::shared_ptr<const T> shared(const std::shared_ptr<const T>& neighbour, const
   return std::make_shared<const T>(part);
 }
 
-project::Project rest_of(const project::Project& project) {
-  project::Project rest;
-  rest.pictures = project.pictures;
-  rest.warp = project.warp;
-  rest.pull = project.pull;
-  rest.pace = project.pace;
-  rest.blend = project.blend;
-  rest.output = project.output;
-  return rest;
-}
-
+/// The project less the parts that are kept apart. All other members stay, also those that are added one day.
 std::shared_ptr<const project::Project> shared_rest(const std::shared_ptr<const project::Project>& neighbour,
-                                                    const project::Project& project) {
-  project::Project rest = rest_of(project);
+                                                    project::Project rest) {
+  rest.features.clear();
+  rest.groups.clear();
+  rest.mesh.reset();
+  rest.file.clear();
+  rest.original.reset();
   const bool same = neighbour && project::same_document(*neighbour, rest);
   return same ? neighbour : std::make_shared<const project::Project>(std::move(rest));
 }
