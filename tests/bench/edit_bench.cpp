@@ -18,6 +18,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cli/edit/hand/editor.h"
+#include "cli/edit/view/layout.h"
 
 namespace morphkit::edit {
 namespace {
@@ -123,7 +124,7 @@ cv::Point in_window(const Editor& editor, Pane pane, cv::Point2d picture) {
   return rect.tl() + cv::Point(model.view(pane).to_pane(picture, rect.size()));
 }
 
-const Widget& widget(const Layout& layout, Action action) {
+const Widget& widget(const Layout& layout, const Action& action) {
   return *std::find_if(layout.widgets.begin(), layout.widgets.end(),
                        [&](const Widget& candidate) { return candidate.action == action; });
 }
@@ -154,12 +155,12 @@ void play(cv::Size size, int features) {
   player.report("dragging a feature");
 
   const Layout layout = layout_of(editor.model());
-  const cv::Rect track = slider_track(widget(layout, Action::kTime), layout.scale);
+  const cv::Rect track = slider_track(widget(layout, TimeSlider{}), layout.scale);
   const int y = track.y + track.height / 2;
   player.drag({track.x + track.width / 2, y}, {track.br().x, y});
   player.report("scrubbing t");
 
-  const cv::Rect tune = slider_track(widget(layout, Action::kTune), layout.scale);
+  const cv::Rect tune = slider_track(widget(layout, Tuning::kA), layout.scale);
   const int tune_y = tune.y + tune.height / 2;
   player.drag({tune.x + tune.width / 10, tune_y}, {tune.x + tune.width / 2, tune_y});
   player.report("dragging a slider of a");

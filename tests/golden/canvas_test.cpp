@@ -121,7 +121,7 @@ TEST(CanvasGolden, MarksOneSelectedOneUnderTheMouse) {
 TEST(CanvasGolden, MeshTool) {
   Scene scene = scene_of("portraits", false);
   Model& model = scene.model;
-  model.tool = Tool::kMesh;
+  model.tool = ToolId::kMesh;
   model.document.make_mesh(6, 7);
   model.document.set_method(project::MethodName::kMesh);
   const int moved[] = {14, 15, 20, 21};
@@ -136,10 +136,10 @@ TEST(CanvasGolden, MeshTool) {
 TEST(CanvasGolden, CurveSnappingWithLoupe) {
   Scene scene = scene_with(4);
   Model& model = scene.model;
-  model.tool = Tool::kCurve;
+  model.tool = ToolId::kCurve;
   model.switches.loupe = true;
   const cv::Point2d next(512, 556);
-  model.sketch = Sketch{Tool::kCurve, kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
+  model.sketch = Sketch{Sketch::Shape::kCurve, kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
   model.snapped = next;
   scene.point_at(kSource, next);
   model.show = Show::kDifference;
@@ -186,7 +186,7 @@ TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
   for (int i = 0; i < 4; ++i) model.document.add_point(kSource, {90.0 + 120 * i, 290});
   model.document.add_curve(kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
   model.entry = Entry{Entry::What::kName, "Stra\u00dfe"};
-  model.sketch = Sketch{Tool::kSelect, kDestination, {{30, 60}, {300, 520}}, {}};
+  model.sketch = Sketch{Sketch::Shape::kBox, kDestination, {{30, 60}, {300, 520}}, {}};
   expect_looks("canvas-contrast", scene.drawn());
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "cli/edit/view/layout.h"
 #include "cli/edit/view/model.h"
 #include "morph/media/image_file.h"
 #include "morph/media/process.h"
@@ -62,7 +63,7 @@ class EditWindow : public testing::Test {
     return rect.tl() + cv::Point(model.view(pane).to_pane(position, rect.size()));
   }
 
-  static cv::Point button(edit::Action action) {
+  static cv::Point button(const edit::Action& action) {
     edit::Model model({}, kPicture, kPicture, kWindow);
     const edit::Layout layout = edit::layout_of(model);
     const auto found = std::ranges::find(layout.widgets, action, &edit::Widget::action);
@@ -117,7 +118,7 @@ TEST_F(EditWindow, MarksDragsZoomsUndoesScrubsAndSaves) {
   desktop_.drag(anchor, anchor + cv::Point(40, 0));
   // The window itself must not have zoomed: its buttons are where they were.
   ASSERT_TRUE(sees("\\*pair.json"));
-  desktop_.drag(button(edit::Action::kSave), button(edit::Action::kSave));
+  desktop_.drag(button(edit::Command::kSave), button(edit::Command::kSave));
   ASSERT_TRUE(sees("pair.json"));
   const cv::Point2d start = marked.features[0].places[project::kSource][0];
   const cv::Point2d start_now = project::load(file()).features[0].places[project::kSource][0];

@@ -28,7 +28,7 @@ inline SideIndex other(SideIndex side) {
 enum class Tuning { kA, kB, kP };
 
 /// Which timing an easing is set for.
-enum class Progress { kShape, kDissolve };
+enum class TimingKind { kShape, kDissolve };
 
 /// Every operation below that changes the project is one step of undo, unless it stands between `begin` and `end`,
 /// which make one step of all that happens between them. An operation that changes nothing makes no step. Positions
@@ -93,9 +93,9 @@ class Document {
   bool tuning_is_own(Tuning which) const;  ///< whether it is set there, not inherited
   void tune(Tuning which, double value);   ///< clamped to what the project file allows
   void untune();                           ///< the selected features inherit these numbers and timings again
-  motion::Timing timing(Progress which) const;
+  motion::Timing timing(TimingKind which) const;
   /// Delays and durations stay, each feature's own. Not done if the project file would not take it.
-  void set_easing(Progress which, const motion::Easing& easing);
+  void set_easing(TimingKind which, const motion::Easing& easing);
   project::MethodName method() const { return project::method_name_of(project()); }
   void set_method(project::MethodName method);  ///< kMesh makes a mesh of 5 x 5 if there is none
 

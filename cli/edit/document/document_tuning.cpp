@@ -21,12 +21,12 @@ const std::optional<double>& value_of(const Pull& pull, Tuning which) {
   return which == Tuning::kA ? pull.a : which == Tuning::kB ? pull.b : pull.p;
 }
 
-std::optional<motion::Timing>& timing_of(Pace& pace, Progress which) {
-  return which == Progress::kShape ? pace.shape : pace.dissolve;
+std::optional<motion::Timing>& timing_of(Pace& pace, TimingKind which) {
+  return which == TimingKind::kShape ? pace.shape : pace.dissolve;
 }
 
-const std::optional<motion::Timing>& timing_of(const Pace& pace, Progress which) {
-  return which == Progress::kShape ? pace.shape : pace.dissolve;
+const std::optional<motion::Timing>& timing_of(const Pace& pace, TimingKind which) {
+  return which == TimingKind::kShape ? pace.shape : pace.dissolve;
 }
 
 double most(Tuning which) {
@@ -94,11 +94,11 @@ void Document::untune() {
   });
 }
 
-motion::Timing Document::timing(Progress which) const {
+motion::Timing Document::timing(TimingKind which) const {
   return *timing_of(pace_of_first(*this), which);
 }
 
-void Document::set_easing(Progress which, const motion::Easing& easing) {
+void Document::set_easing(TimingKind which, const motion::Easing& easing) {
   if (!acceptable(easing)) return;
   const auto set = [&](Pace& pace, const Pace& effective) {
     motion::Timing timing = *timing_of(effective, which);

@@ -64,7 +64,7 @@ Editor::Editor(project::Project project, const render::Pictures& pictures, cv::S
   model_.fit_views();
   model_.file_name = storage_.file().filename().string();
   model_.welcome = loaded.features.empty() && !loaded.mesh;
-  if (loaded.mesh && project::method_name_of(loaded) == project::MethodName::kMesh) model_.tool = Tool::kMesh;
+  if (loaded.mesh && project::method_name_of(loaded) == project::MethodName::kMesh) model_.tool = ToolId::kMesh;
   if (!model_.document.changed()) kept_revision_ = model_.document.revision();
   leftover_ = storage_.leftover();
   if (leftover_) meet_leftover();
@@ -278,7 +278,7 @@ void Editor::request_preview() {
   request.show = model_.show;
   request.folds = model_.switches.folds;
   request.view = model_.result_view;
-  request.size = layout_of(model_).pane(Pane::kResult).size();
+  request.size = panes_of(model_.canvas_size).pane(Pane::kResult).size();
   const std::uint64_t revision = model_.document.revision();
   if (requested_ && same_view(*requested_, request) && requested_revision_ == revision) return;
   const bool same_project = requested_ && requested_revision_ == revision;

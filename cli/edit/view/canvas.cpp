@@ -63,22 +63,22 @@ const cv::Mat3b& Canvas::draw(const Model& model, const PreviewPicture& preview)
   return canvas_;
 }
 
-void Canvas::draw_picture(const Model& model, const Layout& layout, SideIndex side) {
+void Canvas::draw_picture(const Model& model, const Panes& panes, SideIndex side) {
   const Pane pane = pane_of(side);
-  const cv::Rect& rect = layout.pane(pane);
+  const cv::Rect& rect = panes.pane(pane);
   std::optional<Shown>& shown = shown_[static_cast<int>(pane)];
   const View& view = model.view(pane);
   if (!shown || shown->view != view || shown->pixels.size() != rect.size())
     shown = Shown{view, seen(side == kSource ? source_ : destination_, view, rect.size())};
   cv::Mat3b target = canvas_(rect);
   shown->pixels.copyTo(target);
-  draw_marks(target, model, side, layout.scale, type_);
+  draw_marks(target, model, side, panes.scale, type_);
 }
 
-void Canvas::draw_result(const Model& model, const Layout& layout, const PreviewPicture& preview) {
-  cv::Mat3b target = canvas_(layout.pane(Pane::kResult));
+void Canvas::draw_result(const Model& model, const Panes& panes, const PreviewPicture& preview) {
+  cv::Mat3b target = canvas_(panes.pane(Pane::kResult));
   if (!preview.problem.empty()) {
-    const int height = static_cast<int>(14 * layout.scale);
+    const int height = static_cast<int>(14 * panes.scale);
     int y = target.rows / 3;
     for (const std::string& line : wrapped(preview.problem, type_, height, target.cols - 4 * height))
       type_.draw(target, line, {2 * height, y += 2 * height}, height, palette::kText);
@@ -88,7 +88,7 @@ void Canvas::draw_result(const Model& model, const Layout& layout, const Preview
   if (preview.image.empty() || area.empty() || area != preview.area) return;  // or of a pane that had another size
   cv::resize(preview.image, target(area), area.size(), 0, 0, cv::INTER_LINEAR);
   const bool lines = model.document.method() == project::MethodName::kLines;
-  if (model.switches.features && lines) draw_between(target, model, pairs_of(model), layout.scale);
+  if (model.switches.features && lines) draw_between(target, model, pairs_of(model), panes.scale);
 }
 
 const std::vector<render::LinePair>& Canvas::pairs_of(const Model& model) {

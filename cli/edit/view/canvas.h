@@ -32,8 +32,8 @@ class Canvas {
     cv::Mat3b pixels;
   };
 
-  void draw_picture(const Model& model, const Layout& layout, SideIndex side);
-  void draw_result(const Model& model, const Layout& layout, const PreviewPicture& preview);
+  void draw_picture(const Model& model, const Panes& panes, SideIndex side);
+  void draw_result(const Model& model, const Panes& panes, const PreviewPicture& preview);
   const std::vector<render::LinePair>& pairs_of(const Model& model);
 
   const Pyramid& source_;

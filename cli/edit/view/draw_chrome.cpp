@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -45,20 +46,20 @@ void draw_slider(const Scribe& scribe, const Widget& widget, const Model& model)
   const cv::Rect track = slider_track(widget, scribe.layout.scale);
   const double knob_x = track.x + *widget.slider * track.width;
   const double middle = track.y + track.height / 2.0;
-  const bool tuning = widget.action == Action::kTune;
-  const bool inherited = tuning && !widget.on && !model.document.selection().features.empty();
+  const Tuning* tuning = std::get_if<Tuning>(&widget.action);
+  const bool inherited = tuning != nullptr && !widget.on && !model.document.selection().features.empty();
   const cv::Vec3b color = inherited ? palette::kFaint : palette::kAccent;
   fill(scribe.canvas, track, palette::kWidget, track.height / 2);
   fill(scribe.canvas, {track.x, track.y, static_cast<int>(knob_x) - track.x, track.height}, color, track.height / 2);
-  disc(scribe.canvas, {knob_x, middle}, scribe.px(tuning ? 6.5 : 8), inherited ? palette::kFaint : palette::kText);
-  if (!tuning) return;
-  const auto which = static_cast<Tuning>(widget.value);
+  disc(scribe.canvas, {knob_x, middle}, scribe.px(tuning != nullptr ? 6.5 : 8),
+       inherited ? palette::kFaint : palette::kText);
+  if (tuning == nullptr) return;
   const cv::Vec3b text = inherited ? palette::kFaint : palette::kText;
   scribe.left({widget.rect.x + scribe.px(4), widget.rect.y, track.x - widget.rect.x, widget.rect.height}, widget.label,
               text);
   const int room = scribe.px(50);
   scribe.left({widget.rect.br().x - room, widget.rect.y, room, widget.rect.height},
-              value_text(which, model.document.tuning(which)), text);
+              value_text(*tuning, model.document.tuning(*tuning)), text);
 }
 
 void draw_titles(const Scribe& scribe, const Model& model) {
@@ -76,20 +77,13 @@ void draw_titles(const Scribe& scribe, const Model& model) {
 }
 
 std::string_view hint(const Model& model) {
-  switch (model.tool) {
-    case Tool::kSelect:
-      return "click or drag a box to select; drag to move";
-    case Tool::kLine:
-      return "drag a line along something that both pictures have";
-    case Tool::kPoint:
-      return "click a point that both pictures have";
-    case Tool::kCurve:
-      return "click along a curve; Enter ends it, its first point closes it";
-    case Tool::kMesh:
-      return model.document.has_mesh() ? "drag vertices; c and r add a column and a row at the mouse"
-                                       : "click a picture to lay a mesh over both";
-  }
-  return "";
+  const ToolRow& tool = row_of(model.tool);
+  const bool no_mesh = !model.document.has_mesh() && !tool.hint_without_mesh.empty();
+  return no_mesh ? tool.hint_without_mesh : tool.hint;
+}
+
+bool is_answer(const Widget& widget) {
+  return std::holds_alternative<Answer>(widget.action);
 }
 
 std::string what_is_selected(const Model& model) {
@@ -136,7 +130,7 @@ void draw_status(const Scribe& scribe, const Model& model, const PreviewPicture&
 void draw_widget(cv::Mat3b& canvas, const Widget& widget, const Layout& layout, const Model& model, const Type& type) {
   const Scribe scribe{canvas, layout, type};
   if (widget.slider) return draw_slider(scribe, widget, model);
-  const bool reachable = widget.enabled && (!model.question || widget.action == Action::kAnswer);
+  const bool reachable = widget.enabled && (!model.question || is_answer(widget));
   const bool under_mouse = reachable && widget.rect.contains(model.mouse);
   cv::Vec3b back = widget.on ? palette::kAccent : palette::kWidget;
   if (!widget.enabled) back = palette::kWidgetOff;
@@ -152,7 +146,7 @@ void draw_chrome(cv::Mat3b& canvas, const Model& model, const Layout& layout, co
   for (const cv::Rect& strip : {layout.top, layout.tuning, layout.status}) fill(canvas, strip, palette::kStrip);
   draw_titles(scribe, model);
   for (const Widget& widget : layout.widgets)
-    if (widget.action != Action::kAnswer) draw_widget(canvas, widget, layout, model, type);
+    if (!is_answer(widget)) draw_widget(canvas, widget, layout, model, type);
   cv::Rect target = layout.tuning;
   target.x += scribe.px(12);
   target.width = scribe.px(98);

@@ -121,7 +121,7 @@ void draw_mesh(const Pen& pen, const Model& model, SideIndex side) {
     return vertices[static_cast<std::size_t>(row) * static_cast<std::size_t>(mesh.columns) +
                     static_cast<std::size_t>(column)];
   };
-  const bool active = model.tool == Tool::kMesh;
+  const bool active = row_of(model.tool).edits == Edits::kMesh;
   for (int pass = 0; pass < 2; ++pass) {
     const cv::Vec3b& color = pass == 0 ? palette::kDark : active ? palette::kMesh : palette::kQuiet;
     const int thickness = pen.px(pass == 0 ? 2.6 : 1);
@@ -149,7 +149,7 @@ void draw_mesh(const Pen& pen, const Model& model, SideIndex side) {
 
 void draw_sketch(const Pen& pen, const Sketch& sketch, int next) {
   const cv::Vec3b color = feature_color(next);
-  if (sketch.tool == Tool::kSelect) {
+  if (sketch.shape == Sketch::Shape::kBox) {
     const cv::Point2d a = pen.at(sketch.points[0]);
     const cv::Point2d b = pen.at(sketch.points[1]);
     const cv::Rect2d band(a, b);
@@ -158,7 +158,7 @@ void draw_sketch(const Pen& pen, const Sketch& sketch, int next) {
     return;
   }
   std::vector<cv::Point2d> points = pen.at(sketch.points);
-  if (sketch.tool == Tool::kCurve) {
+  if (sketch.shape == Sketch::Shape::kCurve) {
     std::vector<cv::Point2d> through = sketch.points;
     if (sketch.next != through.back()) through.push_back(sketch.next);
     project::Feature curve;
@@ -184,7 +184,7 @@ void draw_snapped(const Pen& pen, cv::Point2d picture) {
 
 void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scale, const Type& type) {
   const Pen pen{pane, model.view(pane_of(side)), scale, type};
-  const bool mesh = model.tool == Tool::kMesh;
+  const bool mesh = row_of(model.tool).edits == Edits::kMesh;
   if (model.switches.features) {
     if (model.document.has_mesh() && (mesh || model.document.method() == project::MethodName::kMesh))
       draw_mesh(pen, model, side);

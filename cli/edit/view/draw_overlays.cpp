@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "cli/edit/view/draw_chrome.h"
-#include "cli/edit/view/help_lines.h"
+#include "cli/edit/view/keys.h"
 #include "cli/edit/view/paint.h"
 #include "cli/edit/view/picking.h"
 
@@ -30,9 +30,9 @@ class HelpPage {
   HelpPage(const Type& type, cv::Size canvas, double scale)
       : type_(type), height_(std::max(9, static_cast<int>(std::lround(13 * scale)))), canvas_(canvas) {
     pitch_ = static_cast<int>(std::lround(height_ * 1.75));
-    for (const HelpLine& line : help_lines()) keys_ = std::max(keys_, type.width(line.keys, height_));
+    for (const KeyRow& line : key_rows()) keys_ = std::max(keys_, type.width(line.keys, height_));
     keys_ += 2 * height_;
-    for (const HelpLine& line : help_lines())
+    for (const KeyRow& line : key_rows())
       column_ = std::max(column_, keys_ + type.width(line.text, height_) + 3 * height_);
   }
 
@@ -58,18 +58,18 @@ class HelpPage {
   }
 
  private:
-  static std::span<const HelpLine> lines() { return help_lines(); }
+  static std::span<const KeyRow> lines() { return key_rows(); }
   static std::size_t split() {
     std::size_t at = lines().size() / 2;
     while (at < lines().size() && lines()[at].section == lines()[at - 1].section) ++at;
     return at;
   }
-  static int rows_of(std::span<const HelpLine> lines) {
+  static int rows_of(std::span<const KeyRow> lines) {
     int rows = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) rows += i == 0 || lines[i].section != lines[i - 1].section ? 3 : 1;
     return rows;
   }
-  void draw_column(cv::Mat3b& canvas, std::span<const HelpLine> lines, cv::Point at) const {
+  void draw_column(cv::Mat3b& canvas, std::span<const KeyRow> lines, cv::Point at) const {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (i == 0 || lines[i].section != lines[i - 1].section) {
         at.y += 2 * pitch_ - pitch_ / 3;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <variant>
+#include <utility>
 
 #include "cli/edit/view/model.h"
 
@@ -11,15 +11,10 @@ namespace morphkit::edit {
 namespace {
 
 // In units of the scale: px on a canvas of 1600x900.
-constexpr double kTop = 46, kHead = 32, kTime = 44, kTuningStrip = 46, kStatus = 30;
 constexpr double kMargin = 8, kGap = 4, kGroupGap = 18, kButton = 28;
 constexpr double kLetter = 8.2, kPadding = 18;
 constexpr double kSliderLabel = 27, kSliderValue = 62, kLeastSlider = 140, kMostSlider = 230;
 constexpr double kMostA = 100, kMostB = 4;
-
-double scale_of(cv::Size canvas) {
-  return std::clamp(std::min(canvas.width / 1600.0, canvas.height / 900.0), 0.72, 2.0);
-}
 
 double width_of(std::string_view label) {
   return kLetter * static_cast<double>(label.size()) + kPadding;
@@ -30,10 +25,9 @@ class Row {
  public:
   Row(Layout& layout, const cv::Rect& strip, double begin) : layout_(layout), strip_(strip), at_(begin) {}
 
-  Widget& add(Action action, int value, std::string label, double width = 0) {
+  Widget& add(Action action, std::string label, double width = 0) {
     Widget widget;
     widget.action = action;
-    widget.value = value;
     const double scale = layout_.scale;
     const double units = width > 0 ? width : width_of(label);
     widget.label = std::move(label);
@@ -57,41 +51,46 @@ class Row {
 void add_mesh_buttons(Row& row, const Document& document) {
   const bool selected = !document.selection().vertices.empty();
   row.gap();
-  row.add(Action::kAddColumn, 0, "+ Column").enabled = document.has_mesh();
-  row.add(Action::kRemoveColumn, 0, "- Column").enabled = selected;
-  row.add(Action::kAddRow, 0, "+ Row").enabled = document.has_mesh();
-  row.add(Action::kRemoveRow, 0, "- Row").enabled = selected;
+  row.add(Command::kAddColumn, "+ Column").enabled = document.has_mesh();
+  row.add(Command::kRemoveColumn, "- Column").enabled = selected;
+  row.add(Command::kAddRow, "+ Row").enabled = document.has_mesh();
+  row.add(Command::kRemoveRow, "- Row").enabled = selected;
 }
 
 void add_tools(Layout& layout, const Model& model) {
   Row row(layout, layout.top, kMargin);
-  const std::string_view tools[] = {"Select", "Line", "Point", "Curve", "Mesh"};
-  for (int i = 0; i < 5; ++i) row.add(Action::kTool, i, std::string(tools[i])).on = model.tool == static_cast<Tool>(i);
+  for (const ToolRow& tool : kTools) row.add(tool.tool, std::string(tool.label)).on = model.tool == tool.tool;
   row.gap();
-  const Switches& on = model.switches;
-  row.add(Action::kLock, 0, "Lock").on = on.locked;
-  row.add(Action::kSnap, 0, "Snap").on = on.snap;
-  row.add(Action::kFeatures, 0, "Marks").on = on.features;
-  row.add(Action::kOnion, 0, "Onion").on = on.onion;
-  row.add(Action::kFolds, 0, "Folds").on = on.folds;
-  row.add(Action::kLoupe, 0, "Loupe").on = on.loupe;
-  if (model.tool == Tool::kMesh) add_mesh_buttons(row, model.document);
-  const std::string_view commands[] = {"Undo", "Redo", "Fit", "Save", "Help"};
+  for (const SwitchRow& entry : kSwitches)
+    row.add(entry.toggle, std::string(entry.label)).on = model.switches.*entry.toggle.flag;
+  if (row_of(model.tool).edits == Edits::kMesh) add_mesh_buttons(row, model.document);
+}
+
+void add_commands(Layout& layout, const Model& model) {
+  const struct {
+    Command command;
+    std::string_view label;
+    bool enabled;
+    bool on = false;
+  } buttons[] = {{Command::kUndo, "Undo", model.document.can_undo() || model.sketch},
+                 {Command::kRedo, "Redo", model.document.can_redo()},
+                 {Command::kFit, "Fit", true},
+                 {Command::kSave, "Save", model.document.changed()},
+                 {Command::kHelp, "Help", true, model.help}};
   double width = kMargin;
-  for (const std::string_view command : commands) width += width_of(command) + kGap;
-  Row right(layout, layout.top, layout.top.width / layout.scale - width);
-  right.add(Action::kUndo, 0, "Undo").enabled = model.document.can_undo() || model.sketch;
-  right.add(Action::kRedo, 0, "Redo").enabled = model.document.can_redo();
-  right.add(Action::kFit, 0, "Fit");
-  right.add(Action::kSave, 0, "Save").enabled = model.document.changed();
-  right.add(Action::kHelp, 0, "Help").on = model.help;
+  for (const auto& button : buttons) width += width_of(button.label) + kGap;
+  Row row(layout, layout.top, layout.top.width / layout.scale - width);
+  for (const auto& button : buttons) {
+    Widget& widget = row.add(button.command, std::string(button.label));
+    widget.enabled = button.enabled;
+    widget.on = button.on;
+  }
 }
 
 void add_shows(Layout& layout, const Model& model) {
-  const std::string_view shows[] = {"Dissolve", "Source", "Destination", "Difference", "Grid"};
   Row row(layout, layout.head(Pane::kResult), 0);
-  for (int i = 0; i < 5; ++i)
-    row.add(Action::kShow, i, std::string(shows[i]), width_of(shows[i]) - 8).on = model.show == static_cast<Show>(i);
+  for (const ShowRow& show : kShows)
+    row.add(show.show, std::string(show.label), width_of(show.label) - 8).on = model.show == show.show;
 }
 
 std::string speed_text(double speed) {
@@ -103,12 +102,12 @@ std::string speed_text(double speed) {
 void add_time(Layout& layout, const Model& model) {
   constexpr double kPlay = 66, kSpeed = 48, kValue = 144;
   Row row(layout, layout.time, kMargin);
-  row.add(Action::kPlay, 0, model.playing ? "Pause" : "Play", kPlay).on = model.playing;
+  row.add(Command::kPlay, model.playing ? "Pause" : "Play", kPlay).on = model.playing;
   row.gap(kMargin);
   const double total = layout.time.width / layout.scale;
-  row.add(Action::kTime, 0, "", total - row.at() - kValue - kSpeed - 2 * kMargin).slider = model.t;
+  row.add(TimeSlider{}, "", total - row.at() - kValue - kSpeed - 2 * kMargin).slider = model.t;
   Row right(layout, layout.time, total - kSpeed - kMargin);
-  right.add(Action::kSpeed, 0, speed_text(model.speed), kSpeed);
+  right.add(Command::kNextSpeed, speed_text(model.speed), kSpeed);
 }
 
 std::string easing_name(const motion::Easing& easing) {
@@ -124,19 +123,19 @@ void add_tuning(Layout& layout, const Model& model) {
   const double slider = std::clamp(room / 3 - kGap, kLeastSlider, kMostSlider);
 
   Row row(layout, layout.tuning, kTarget);
-  const std::string_view names[] = {"a", "b", "p"};
-  for (int i = 0; i < 3; ++i) {
-    Widget& widget = row.add(Action::kTune, i, std::string(names[i]), slider);
-    widget.slider = slider_from_tuning(i, document.tuning(static_cast<Tuning>(i)));
-    widget.on = document.tuning_is_own(static_cast<Tuning>(i));
+  const std::pair<Tuning, const char*> sliders[] = {{Tuning::kA, "a"}, {Tuning::kB, "b"}, {Tuning::kP, "p"}};
+  for (const auto& [which, label] : sliders) {
+    Widget& widget = row.add(which, label, slider);
+    widget.slider = slider_from_tuning(which, document.tuning(which));
+    widget.on = document.tuning_is_own(which);
   }
   row.gap();
-  row.add(Action::kShape, 0, "Shape: " + easing_name(document.timing(Progress::kShape).easing), kEasing);
-  row.add(Action::kDissolve, 0, "Mix: " + easing_name(document.timing(Progress::kDissolve).easing), kEasing);
-  row.add(Action::kInherit, 0, "Inherit").enabled = !model.document.selection().features.empty();
+  row.add(TimingKind::kShape, "Shape: " + easing_name(document.timing(TimingKind::kShape).easing), kEasing);
+  row.add(TimingKind::kDissolve, "Mix: " + easing_name(document.timing(TimingKind::kDissolve).easing), kEasing);
+  row.add(Command::kInherit, "Inherit").enabled = !model.document.selection().features.empty();
   row.gap();
   const bool mesh = document.method() == project::MethodName::kMesh;
-  row.add(Action::kMethod, 0, mesh ? "Warp: mesh" : "Warp: lines", width_of("Warp: lines"));
+  row.add(Command::kNextMethod, mesh ? "Warp: mesh" : "Warp: lines", width_of("Warp: lines"));
 }
 
 void add_question(Layout& layout, const Model& model) {
@@ -155,53 +154,28 @@ void add_question(Layout& layout, const Model& model) {
   const int strip = static_cast<int>(56 * scale);
   Row row(layout, {layout.card.x, layout.card.br().y - strip, size.width, strip}, (width - answers) / 2);
   for (const Question::Answer& answer : question.answers) {
-    row.add(Action::kAnswer, answer.key, answer.label, width_of(answer.label) + 14);
+    row.add(Answer{answer.key}, answer.label, width_of(answer.label) + 14);
     row.gap(kGap);
   }
 }
 
 }  // namespace
 
-Layout panes_of(cv::Size canvas) {
-  Layout layout;
-  layout.scale = scale_of(canvas);
-  const auto px = [&](double units) { return static_cast<int>(std::lround(units * layout.scale)); };
-  layout.top = {0, 0, canvas.width, px(kTop)};
-  layout.status = {0, canvas.height - px(kStatus), canvas.width, px(kStatus)};
-  layout.tuning = {0, layout.status.y - px(kTuningStrip), canvas.width, px(kTuningStrip)};
-  layout.time = {0, layout.tuning.y - px(kTime), canvas.width, px(kTime)};
-  const int head = layout.top.br().y;
-  const int top = head + px(kHead);
-  const int margin = px(kMargin);
-  const int width = (canvas.width - 4 * margin) / 3;
-  for (int i = 0; i < 3; ++i) {
-    const int x = margin + i * (width + margin);
-    layout.heads[i] = {x, head, width, px(kHead)};
-    layout.panes[i] = {x, top, width, layout.time.y - top};
-  }
-  return layout;
-}
-
 Layout layout_of(const Model& model) {
   if (!model.question) return layout_beneath(model);
-  Layout layout = panes_of(model.canvas_size);
+  Layout layout{panes_of(model.canvas_size), {}, {}};
   add_question(layout, model);
   return layout;
 }
 
 Layout layout_beneath(const Model& model) {
-  Layout layout = panes_of(model.canvas_size);
+  Layout layout{panes_of(model.canvas_size), {}, {}};
   add_tools(layout, model);
+  add_commands(layout, model);
   add_shows(layout, model);
   add_time(layout, model);
   add_tuning(layout, model);
   return layout;
-}
-
-std::optional<Pane> Layout::pane_at(cv::Point position) const {
-  for (const Pane candidate : kPanes)
-    if (pane(candidate).contains(position)) return candidate;
-  return std::nullopt;
 }
 
 const Widget* Layout::widget_at(cv::Point position) const {
@@ -210,11 +184,11 @@ const Widget* Layout::widget_at(cv::Point position) const {
   return found == widgets.rend() ? nullptr : &*found;
 }
 
-double tuning_from_slider(int tuning, double slider) {
+double tuning_from_slider(Tuning which, double slider) {
   // No finer than the value beside the slider is shown.
   const double knob = std::clamp(slider, 0.0, 1.0);
   const auto hundredths = [](double value) { return std::round(100 * value) / 100; };
-  switch (static_cast<Tuning>(tuning)) {
+  switch (which) {
     case Tuning::kA:
       return hundredths(kMostA * knob * knob);
     case Tuning::kB:
@@ -225,8 +199,8 @@ double tuning_from_slider(int tuning, double slider) {
   return knob;
 }
 
-double slider_from_tuning(int tuning, double value) {
-  switch (static_cast<Tuning>(tuning)) {
+double slider_from_tuning(Tuning which, double value) {
+  switch (which) {
     case Tuning::kA:
       return std::clamp(std::sqrt(value / kMostA), 0.0, 1.0);
     case Tuning::kB:

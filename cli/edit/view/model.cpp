@@ -10,8 +10,8 @@ cv::Size Model::content_size(Pane pane) const {
 }
 
 void Model::fit_views() {
-  const Layout layout = layout_of(*this);
-  for (const Pane pane : kPanes) view(pane) = fitted(content_size(pane), layout.pane(pane).size());
+  const Panes panes = panes_of(canvas_size);
+  for (const Pane pane : kPanes) view(pane) = fitted(content_size(pane), panes.pane(pane).size());
 }
 
 }  // namespace morphkit::edit

@@ -1,23 +1,18 @@
 #pragma once
-// Everything that the canvas shows and the hand changes: the document, how it is looked at, and what is going on.
+// The state of the preview tool: the document, the views of it, and the input that is going on.
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "cli/edit/document/document.h"
-#include "cli/edit/view/layout.h"
+#include "cli/edit/view/actions.h"
+#include "cli/edit/view/panes.h"
 #include "cli/edit/view/view.h"
 
 namespace morphkit::edit {
 
-enum class Tool { kSelect, kLine, kPoint, kCurve, kMesh };
-
-/// What the result pane shows.
-enum class Show { kDissolve, kSource, kDestination, kDifference, kGrid };
-
-/// Something that can be held: a point of a feature, a whole feature, or a vertex of the mesh.
+/// A hit: a point of a feature, a whole feature, or a vertex of the mesh.
 struct Handle {
   SideIndex side = kSource;
   int feature = -1;  ///< -1: a vertex
@@ -26,15 +21,16 @@ struct Handle {
   bool operator==(const Handle&) const = default;
 };
 
-/// What is being drawn and is no feature yet.
+/// A shape that is being drawn and is not in the document yet.
 struct Sketch {
-  Tool tool = Tool::kLine;  ///< kSelect: a rubber band; kLine; kCurve
+  enum class Shape { kBox, kLine, kCurve };
+  Shape shape = Shape::kLine;
   SideIndex side = kSource;
-  std::vector<cv::Point2d> points;  ///< picture px; band: two corners; line: two ends; curve: those clicked so far
+  std::vector<cv::Point2d> points;  ///< picture px; box: two corners; line: two ends; curve: the clicks so far
   cv::Point2d next;                 ///< curve: where the next click would put a point
 };
 
-/// One line of text that is being typed into the status line.
+/// A line of text that the user types into the status line.
 struct Entry {
   enum class What { kName, kGroup };
   What what = What::kName;
@@ -52,15 +48,6 @@ struct Question {
   std::vector<Answer> answers;
 };
 
-struct Switches {
-  bool locked = true;    ///< both pictures zoom and pan together
-  bool snap = true;      ///< to ends of other features and to edges
-  bool onion = false;    ///< features at several moments
-  bool folds = true;     ///< painted red
-  bool loupe = false;    ///< a magnifier at the mouse
-  bool features = true;  ///< marks are drawn
-};
-
 struct Model {
   Model(project::Project project, cv::Size source, cv::Size destination, cv::Size canvas)
       : document(std::move(project), source, destination), canvas_size(canvas) {}
@@ -68,22 +55,22 @@ struct Model {
   Document document;
   cv::Size canvas_size;  ///< of the window, px
 
-  Tool tool = Tool::kLine;
+  ToolId tool = ToolId::kLine;
   Show show = Show::kDissolve;
-  View source_view, destination_view, result_view;  ///< the last one of the canvas that is rendered
+  View source_view, destination_view, result_view;  ///< result_view: of the output canvas
   double t = 0.5;
   bool playing = false;
   double speed = 1;  ///< times the project's own
   Switches switches;
 
-  cv::Point mouse{-1, -1};      ///< canvas px
-  std::optional<Handle> hover;  ///< what a press would hold
-  std::optional<Handle> held;
-  std::optional<cv::Point2d> snapped;  ///< picture px on the side of `held` or the sketch: what it has snapped to
+  cv::Point mouse{-1, -1};             ///< canvas px
+  std::optional<Handle> hover;         ///< hit test at the mouse
+  std::optional<Handle> held;          ///< the last one that was pressed; keys act on it
+  std::optional<cv::Point2d> snapped;  ///< snap target of the drag, picture px on the side of `held` or the sketch
   std::optional<Sketch> sketch;
   std::optional<Entry> entry;
   std::optional<Question> question;
-  std::optional<char> answer;  ///< to `question`; whoever asked takes both away
+  std::optional<char> answer;  ///< to `question`; the editor resets both
   bool help = false;
   bool welcome = false;   ///< the three lines of a first start
   std::string message;    ///< status line: what just happened
@@ -91,7 +78,7 @@ struct Model {
 
   View& view(Pane pane) { return this->*member_of(pane); }
   const View& view(Pane pane) const { return this->*member_of(pane); }
-  /// Size of what a pane shows, px: a picture, or the canvas that is rendered.
+  /// Size of the content of a pane, px: a picture, or the output canvas.
   cv::Size content_size(Pane pane) const;
   /// Fits all three.
   void fit_views();

@@ -68,13 +68,13 @@ std::optional<Handle> body_at(const Document& document, SideIndex side, cv::Poin
 
 }  // namespace
 
-cv::Point2d to_content(const Model& model, const Layout& layout, Pane pane, cv::Point2d canvas) {
-  const cv::Rect& rect = layout.pane(pane);
+cv::Point2d to_content(const Model& model, const Panes& panes, Pane pane, cv::Point2d canvas) {
+  const cv::Rect& rect = panes.pane(pane);
   return model.view(pane).to_picture(canvas - cv::Point2d(rect.tl()), rect.size());
 }
 
-cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::Point2d content) {
-  const cv::Rect& rect = layout.pane(pane);
+cv::Point2d to_canvas(const Model& model, const Panes& panes, Pane pane, cv::Point2d content) {
+  const cv::Rect& rect = panes.pane(pane);
   return cv::Point2d(rect.tl()) + model.view(pane).to_pane(content, rect.size());
 }
 
@@ -90,13 +90,13 @@ std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex s
   return outline;
 }
 
-std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas) {
-  const std::optional<Pane> pane = layout.pane_at(canvas);
+std::optional<Handle> hit_test(const Model& model, const Panes& panes, cv::Point2d canvas) {
+  const std::optional<Pane> pane = panes.pane_at(canvas);
   if (!pane || *pane == Pane::kResult || !model.switches.features) return std::nullopt;
   const SideIndex side = side_of(*pane);
-  const cv::Point2d at = to_content(model, layout, *pane, canvas);
-  const double px = layout.scale / model.view(*pane).zoom;
-  if (model.tool == Tool::kMesh) return vertex_at(model.document, side, at, kHandleReach * px);
+  const cv::Point2d at = to_content(model, panes, *pane, canvas);
+  const double px = panes.scale / model.view(*pane).zoom;
+  if (row_of(model.tool).edits == Edits::kMesh) return vertex_at(model.document, side, at, kHandleReach * px);
   const auto point = point_at(model.document, side, at, kHandleReach * px);
   return point ? point : body_at(model.document, side, at, kBodyReach * px);
 }

@@ -1,15 +1,15 @@
 #pragma once
-// What lies under the mouse.
+// Hit tests: which mark or vertex is under the mouse.
 
 #include <optional>
 #include <vector>
 
-#include "cli/edit/view/layout.h"
 #include "cli/edit/view/model.h"
+#include "cli/edit/view/panes.h"
 
 namespace morphkit::edit {
 
-/// How near the mouse must be, in units of Layout::scale.
+/// Largest distance of a hit, in units of Panes::scale.
 inline constexpr double kHandleReach = 9;
 inline constexpr double kBodyReach = 6;
 
@@ -22,26 +22,25 @@ inline Pane pane_of(SideIndex side) {
 }
 
 /// A canvas position as one of the content of a pane, and back.
-cv::Point2d to_content(const Model& model, const Layout& layout, Pane pane, cv::Point2d canvas);
-cv::Point2d to_canvas(const Model& model, const Layout& layout, Pane pane, cv::Point2d content);
+cv::Point2d to_content(const Model& model, const Panes& panes, Pane pane, cv::Point2d canvas);
+cv::Point2d to_canvas(const Model& model, const Panes& panes, Pane pane, cv::Point2d content);
 
-/// The marks of a feature on a side as a polyline, px of the picture: its ends, or a curve flattened so that it looks
-/// smooth at any zoom.
+/// A feature on one side as a polyline, picture px. Curves are flattened finely enough to look smooth at any zoom.
 std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex side);
 
-/// What a press at a canvas position would hold: the nearest point within kHandleReach, else the nearest feature within
-/// kBodyReach. With the mesh tool the vertices are what can be held, with the others the features;
-/// what is not shown cannot be held.
-std::optional<Handle> handle_at(const Model& model, const Layout& layout, cv::Point2d canvas);
+/// The nearest point within kHandleReach of a canvas position, else the nearest feature within kBodyReach. The mesh
+/// tool hits vertices, the other tools hit features. Hidden marks are not hit.
+std::optional<Handle> hit_test(const Model& model, const Panes& panes, cv::Point2d canvas);
 
-/// Where the point that a handle names is, px of the picture; of a whole feature its first one.
+/// Position of the point of a handle, picture px; of a whole feature its first point.
 cv::Point2d position_of(const Document& document, const Handle& handle);
 
-/// The cell of the mesh at a position and where in it, or nothing outside.
+/// A position in a cell of the mesh.
 struct MeshPlace {
   int column = 0, row = 0;      ///< of the vertex before
   double across = 0, down = 0;  ///< in [0, 1]
 };
+/// @return nothing outside of the mesh.
 std::optional<MeshPlace> mesh_place_at(const Document& document, SideIndex side, cv::Point2d position);
 
 }  // namespace morphkit::edit

@@ -413,27 +413,27 @@ TEST(Easings, LeaveDelaysAndDurationsOfEveryFeature) {
   project::Project project = empty_project();
   project.pace.shape = motion::Timing{motion::LinearEase{}, 0.25, 0.5};
   Document document(project, {400, 300}, {400, 300});
-  document.set_easing(Progress::kShape, motion::SineEase{});
-  EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
-  EXPECT_EQ(document.timing(Progress::kDissolve), motion::Timing{});
+  document.set_easing(TimingKind::kShape, motion::SineEase{});
+  EXPECT_EQ(document.timing(TimingKind::kShape), (motion::Timing{motion::SineEase{}, 0.25, 0.5}));
+  EXPECT_EQ(document.timing(TimingKind::kDissolve), motion::Timing{});
   document.add_line(kHere, {10, 20}, {60, 40});
   document.add_point(kHere, {5, 6});
   project = document.project();
   project.features[1].pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.25};
   document.replace(project);
   document.select({{0, 1}, {}});
-  document.set_easing(Progress::kShape, motion::ParabolicEase{});
+  document.set_easing(TimingKind::kShape, motion::ParabolicEase{});
   EXPECT_EQ(feature(document, 0).pace.shape, (motion::Timing{motion::ParabolicEase{}, 0.25, 0.5}));
   EXPECT_EQ(feature(document, 1).pace.shape, (motion::Timing{motion::ParabolicEase{}, 0.5, 0.25}));
 }
 
 TEST(Easings, ThatTheFileWouldRefuseAreNotSet) {
   Document document = document_of();
-  document.set_easing(Progress::kShape, motion::SineEase{});
+  document.set_easing(TimingKind::kShape, motion::SineEase{});
   const std::vector<motion::Easing> refused = {motion::StepEase{2}, motion::CubicBezierEase{0, 1e9, 1, 0},
                                                motion::SinusoidalEase{kNaN, 1}, motion::KeysEase{}};
-  for (const motion::Easing& easing : refused) document.set_easing(Progress::kShape, easing);
-  EXPECT_EQ(document.timing(Progress::kShape), (motion::Timing{motion::SineEase{}, 0, 1}));
+  for (const motion::Easing& easing : refused) document.set_easing(TimingKind::kShape, easing);
+  EXPECT_EQ(document.timing(TimingKind::kShape), (motion::Timing{motion::SineEase{}, 0, 1}));
   expect_reads_back(document);
 }
 

@@ -104,7 +104,7 @@ class Walk {
         document.untune();
         break;
       case 2:
-        document.set_easing(static_cast<Progress>(integer(0, 1)), easing());
+        document.set_easing(static_cast<TimingKind>(integer(0, 1)), easing());
         break;
       default:
         document.set_method(integer(0, 1) == 0 ? project::MethodName::kLines : project::MethodName::kMesh);

@@ -13,51 +13,50 @@ namespace {
 
 TEST_F(GestureSession, ATuningSliderIsOneStepAndTheTimeSliderNone) {
   model.playing = true;
-  drag(on_slider(Action::kTime, 0, 0), on_slider(Action::kTime, 0, 1) + cv::Point(400, 200));
+  drag(on_slider(TimeSlider{}, 0), on_slider(TimeSlider{}, 1) + cv::Point(400, 200));
   EXPECT_EQ(model.t, 1);
   EXPECT_FALSE(model.playing);
   EXPECT_FALSE(document().can_undo());
 
   const double before = document().tuning(Tuning::kB);
-  drag(on_slider(Action::kTune, 1, 0.1), on_slider(Action::kTune, 1, 0.75));
-  EXPECT_NEAR(document().tuning(Tuning::kB), tuning_from_slider(1, 0.75), 0.05);
+  drag(on_slider(Tuning::kB, 0.1), on_slider(Tuning::kB, 0.75));
+  EXPECT_NEAR(document().tuning(Tuning::kB), tuning_from_slider(Tuning::kB, 0.75), 0.05);
   key('z');
   EXPECT_EQ(document().tuning(Tuning::kB), before);
   EXPECT_FALSE(document().can_undo());
 }
 
 TEST_F(GestureSession, WidgetsDoWhatTheySay) {
-  for (int i = 0; i < 5; ++i) {
-    click(Action::kTool, i);
-    EXPECT_EQ(static_cast<int>(model.tool), i);
-    click(Action::kShow, i);
-    EXPECT_EQ(static_cast<int>(model.show), i);
+  for (const ToolRow& row : kTools) {
+    click(row.tool);
+    EXPECT_EQ(model.tool, row.tool) << row.label;
   }
-  const std::pair<Action, bool Switches::*> switches[] = {
-      {Action::kLock, &Switches::locked}, {Action::kSnap, &Switches::snap},   {Action::kOnion, &Switches::onion},
-      {Action::kFolds, &Switches::folds}, {Action::kLoupe, &Switches::loupe}, {Action::kFeatures, &Switches::features}};
-  for (const auto& [action, flag] : switches) {
-    const bool before = model.switches.*flag;
-    click(action);
-    EXPECT_NE(model.switches.*flag, before) << static_cast<int>(action);
+  for (const ShowRow& row : kShows) {
+    click(row.show);
+    EXPECT_EQ(model.show, row.show) << row.label;
   }
-  click(Action::kPlay);
+  for (const SwitchRow& row : kSwitches) {
+    const bool before = model.switches.*row.toggle.flag;
+    click(row.toggle);
+    EXPECT_NE(model.switches.*row.toggle.flag, before) << row.label;
+  }
+  click(Command::kPlay);
   EXPECT_TRUE(model.playing);
   for (const double speed : {2.0, 4.0, 0.25, 0.5, 1.0}) {
-    click(Action::kSpeed);
+    click(Command::kNextSpeed);
     EXPECT_EQ(model.speed, speed);
   }
-  EXPECT_EQ(click(Action::kSave), std::nullopt) << "nothing to save";
-  click(Action::kMethod);
+  EXPECT_EQ(click(Command::kSave), std::nullopt) << "nothing to save";
+  click(Command::kNextMethod);
   EXPECT_TRUE(document().has_mesh());
-  EXPECT_EQ(click(Action::kSave), Wish::kSave);
-  click(Action::kUndo);
+  EXPECT_EQ(click(Command::kSave), Wish::kSave);
+  click(Command::kUndo);
   EXPECT_FALSE(document().has_mesh());
-  click(Action::kRedo);
+  click(Command::kRedo);
   EXPECT_TRUE(document().has_mesh());
-  click(Action::kTool, static_cast<int>(Tool::kMesh));
-  click(Action::kAddColumn);
-  click(Action::kAddRow);
+  click(ToolId::kMesh);
+  click(Command::kAddColumn);
+  click(Command::kAddRow);
   EXPECT_EQ(document().project().mesh->columns, 6);
   EXPECT_EQ(document().project().mesh->rows, 6);
 }
@@ -69,16 +68,16 @@ TEST_F(GestureSession, EasingsGoRoundAndKeepTheirTimes) {
   model.document.replace(project);
   std::set<std::size_t> seen;
   for (int i = 0; i < 5; ++i) {
-    click(Action::kShape);
-    const motion::Timing timing = document().timing(Progress::kShape);
+    click(TimingKind::kShape);
+    const motion::Timing timing = document().timing(TimingKind::kShape);
     seen.insert(timing.easing.index());
     EXPECT_EQ(timing.delay, slow.delay);
     EXPECT_EQ(timing.duration, slow.duration);
   }
   EXPECT_EQ(seen.size(), 5U);
-  EXPECT_EQ(document().timing(Progress::kShape), slow);
-  click(Action::kDissolve);
-  EXPECT_NE(document().timing(Progress::kDissolve).easing.index(), motion::Timing{}.easing.index());
+  EXPECT_EQ(document().timing(TimingKind::kShape), slow);
+  click(TimingKind::kDissolve);
+  EXPECT_NE(document().timing(TimingKind::kDissolve).easing.index(), motion::Timing{}.easing.index());
 }
 
 TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
@@ -104,7 +103,7 @@ TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
     EXPECT_EQ(model.answer, answer);
   }
   ask();
-  click(Action::kAnswer, 'y');
+  click(Answer{'y'});
   EXPECT_EQ(model.answer, 'y');
 }
 
@@ -164,7 +163,7 @@ TEST_F(GestureSession, WhatIsTypedIsForWhatWasSelected) {
   mark_three_lines();
   key('n');
   type("x");
-  click(Action::kUndo);
+  click(Command::kUndo);
   EXPECT_FALSE(model.entry);
   ASSERT_EQ(features().size(), 3U);
   EXPECT_EQ(features()[2].id, "line 3") << "named, and undone";

@@ -228,19 +228,19 @@ TEST_F(GestureSession, AMarkThatDoesNothingSaysSo) {
     key(kKeyEnter);
     EXPECT_NE(model.message.find("does nothing while the mesh warps"), std::string::npos) << model.message;
   }
-  click(Action::kMethod);
+  click(Command::kNextMethod);
   key('5');
   press(kSource, {200, 150});
   EXPECT_NE(model.message.find("the lines warp"), std::string::npos) << model.message;
 }
 
 TEST_F(GestureSession, SlidersAreTakenByTheirTracksOnly) {
-  const cv::Rect slider = widget(Action::kTune, 0).rect;
+  const cv::Rect slider = widget(Tuning::kA).rect;
   for (const int x : {slider.x + 3, slider.br().x - 3}) {  // its letter, its value
     drag({x, slider.y + slider.height / 2}, {slider.x + slider.width / 2, slider.y + slider.height / 2});
     EXPECT_EQ(steps_back(), 0);
   }
-  drag(on_slider(Action::kTune, 0, 0), on_slider(Action::kTune, 0, 0.5));
+  drag(on_slider(Tuning::kA, 0), on_slider(Tuning::kA, 0.5));
   EXPECT_NEAR(document().tuning(Tuning::kA), 25, 1);
 }
 
@@ -340,7 +340,7 @@ TEST_F(GestureSession, ACurveIsTakenBackPointByPointOrWhole) {
   click(kSource, {200, 60});
   key('y');
   EXPECT_EQ(model.sketch->points.size(), 2U) << "there is nothing to redo";
-  click(Action::kUndo);
+  click(Command::kUndo);
   EXPECT_EQ(model.sketch->points.size(), 1U);
   key('z');
   EXPECT_FALSE(model.sketch);
@@ -358,7 +358,7 @@ TEST_F(GestureSession, AnotherToolEndsTheCurve) {
     if (by_key) {
       key('2');
     } else {
-      click(Action::kTool, 1);
+      click(ToolId::kLine);
     }
     EXPECT_FALSE(model.sketch);
     ASSERT_EQ(features().size(), 1U);
@@ -538,7 +538,7 @@ TEST_F(GestureSession, EscInTheMiddleOfAnythingRestores) {
       {'3', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a new point
       {'4', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a new curve
       {'5', at(kSource, {200, 150}), at(kSource, {230, 180})},       // a vertex
-      {'1', on_slider(Action::kTune, 0, 0.2), on_slider(Action::kTune, 0, 0.9)},
+      {'1', on_slider(Tuning::kA, 0.2), on_slider(Tuning::kA, 0.9)},
   };
   const project::Project before = document().project();
   for (const Case& test : cases) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/edit/hand/gestures.h"
+#include "cli/edit/view/keys.h"
 #include "cli/edit/view/picking.h"
 #include "morph/project/project.h"
 
@@ -81,21 +82,20 @@ struct Hand {
     for (const char c : text) key(c);
   }
 
-  Widget widget(Action action, int value = 0) const {
+  Widget widget(const Action& action) const {
     const std::vector<Widget> all = layout().widgets;
-    const auto found =
-        std::ranges::find_if(all, [&](const Widget& w) { return w.action == action && w.value == value; });
+    const auto found = std::ranges::find(all, action, &Widget::action);
     return found == all.end() ? Widget{} : *found;
   }
-  std::optional<Wish> click(Action action, int value = 0) {
-    const cv::Rect rect = widget(action, value).rect;
+  std::optional<Wish> click(const Action& action) {
+    const cv::Rect rect = widget(action).rect;
     const cv::Point middle = (rect.tl() + rect.br()) / 2;
     const auto wish = mouse(What::kPress, middle);
     mouse(What::kRelease, middle);
     return wish;
   }
-  cv::Point on_slider(Action action, int value, double share) const {
-    const cv::Rect track = slider_track(widget(action, value), layout().scale);
+  cv::Point on_slider(const Action& slider, double share) const {
+    const cv::Rect track = slider_track(widget(slider), layout().scale);
     return {track.x + static_cast<int>(share * track.width), track.y};
   }
 

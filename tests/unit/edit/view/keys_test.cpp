@@ -1,4 +1,4 @@
-#include "cli/edit/view/help_lines.h"
+#include "cli/edit/view/keys.h"
 
 #include <algorithm>
 #include <functional>
@@ -77,9 +77,9 @@ bool does_something(int code) {
   });
 }
 
-TEST(HelpLines, NameEveryKeyThatDoesSomethingAndNoOther) {
+TEST(Keys, NameEveryKeyThatDoesSomethingAndNoOther) {
   std::set<int> named;
-  for (const HelpLine& line : help_lines()) named.merge(codes_of(line.keys));
+  for (const KeyRow& line : key_rows()) named.merge(codes_of(line.keys));
   EXPECT_GT(named.size(), 40U);
   std::set<int> candidates = named;
   for (int code = 0; code < 256; ++code) candidates.insert(code);
@@ -87,21 +87,21 @@ TEST(HelpLines, NameEveryKeyThatDoesSomethingAndNoOther) {
   for (const int code : candidates) EXPECT_EQ(does_something(code), named.contains(code)) << "key " << code;
 }
 
-TEST(HelpLines, AreAllInTheDocs) {
+TEST(Keys, AreAllInTheDocs) {
   const std::string page = test::read_text(MORPHKIT_EDIT_PAGE);
   ASSERT_FALSE(page.empty());
-  for (const HelpLine& line : help_lines()) {
+  for (const KeyRow& line : key_rows()) {
     const std::string row = std::string("| `").append(line.keys).append("` | ").append(line.text).append(" |");
     EXPECT_NE(page.find(row), std::string::npos) << row;
   }
 }
 
-TEST(HelpLines, FitTheOverlay) {
-  const auto lines = help_lines();
+TEST(Keys, FitTheOverlay) {
+  const auto lines = key_rows();
   EXPECT_LE(lines.size(), 52U);
   std::set<std::string_view> sections;
   std::string_view before;
-  for (const HelpLine& line : lines) {
+  for (const KeyRow& line : lines) {
     EXPECT_FALSE(line.keys.empty() || line.text.empty());
     if (line.section != before) {
       EXPECT_TRUE(sections.insert(line.section).second) << line.section << " is in two places";
