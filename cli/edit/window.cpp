@@ -19,9 +19,9 @@ namespace morphkit::edit {
 namespace {
 
 constexpr const char* kWindow = "morphkit edit";
-constexpr int kBusyWaitMs = 1;     ///< something is going on: events are fetched as soon as they are there
-constexpr int kPlayingWaitMs = 8;  ///< no screen shows more pictures than that
-constexpr int kIdleWaitMs = 15;    ///< nothing is: leave the machine alone
+constexpr int kBusyWaitMs = 1;     ///< while events come: fetch them at once
+constexpr int kPlayingWaitMs = 8;  ///< faster than any screen refreshes
+constexpr int kIdleWaitMs = 15;    ///< no events: leave the CPU idle
 
 constexpr const char* kNoDisplay = "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)";
 
@@ -128,7 +128,7 @@ int restore_view(const cv::Mat3b& canvas) {
   return key;
 }
 
-/// Tells when the window is closed from outside. A new one takes its time to appear.
+/// Detects that the user has closed the window. A new window takes a while to appear.
 class Watch {
  public:
   bool closed() {
@@ -154,7 +154,7 @@ void show(Editor& editor, std::string& title) {
 }
 
 /// highgui gives the last key that came while it looked at events, and forgets others.
-/// @return whether something is going on.
+/// @return whether there were events.
 bool take_events(Editor& editor, EventQueue& queue, int key) {
   const std::vector<Mouse> events = queue.take();
   for (const Mouse& event : events) editor.mouse(event);
@@ -177,7 +177,7 @@ void run_events(Editor& editor, EventQueue& queue) {
     busy = take_events(editor, queue, key);
     if (watch.closed() && !editor.done()) {
       editor.close();
-      if (!editor.done()) {  // it comes back with a question
+      if (!editor.done()) {  // it asks a question, so the window must return
         open_window(queue);
         watch.restart();
         title.clear();
@@ -186,7 +186,7 @@ void run_events(Editor& editor, EventQueue& queue) {
     editor.turn(seconds_now());
     if (editor.done()) break;
     if (queue.take_wheel_turned()) take_events(editor, queue, restore_view(editor.draw()));
-    if (editor.stale()) {
+    if (editor.dirty()) {
       show(editor, title);
       busy = true;
     }

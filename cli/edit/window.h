@@ -1,12 +1,12 @@
 #pragma once
-// The window: the only file that knows highgui.
+// The window. The only file that uses highgui.
 
 namespace morphkit::edit {
 
 class Editor;
 
-/// Shows the editor until it is done or the program is interrupted.
-/// @throws Error kFailed if there is no display to show it on; kInterrupted after a signal, with the work rescued.
+/// Runs the event loop until the editor is done or the program is interrupted.
+/// @throws Error kFailed if there is no display; kInterrupted after a signal, with unsaved changes in the autosave.
 void run_window(Editor& editor);
 
 /// @throws Error kFailed if there is no display. Cheap: call before anything is loaded.

@@ -45,7 +45,7 @@ std::string local_time(fs::file_time_type time) {
 
 void require_savable(const project::Project& project) {
   static_cast<void>(project::to_text(project));
-  const AtomicFile there(project.file, true);  // and gone again
+  const AtomicFile there(project.file, true);  // creates a file and removes it
 }
 
 Storage::Storage(const project::Project& project) : file_(project.file) {
@@ -92,7 +92,7 @@ bool Storage::changed_by_others() {
   return false;
 }
 
-bool Storage::news_of_others() {
+bool Storage::new_change_by_others() {
   const std::optional<Stamp> now = stamp();
   if (now == told_ || !changed_by_others()) return false;
   told_ = now;
@@ -138,7 +138,7 @@ void Storage::finish() {
 
 void Storage::drop_autosave() {
   finish();
-  std::error_code ignored;  // what cannot be removed is offered again, which loses nothing
+  std::error_code ignored;  // it is offered again then, which loses nothing
   fs::remove(autosave_file(), ignored);
 }
 
@@ -167,19 +167,19 @@ std::optional<fs::path> Storage::set_autosave_aside() {
   }
 }
 
-std::optional<Leftover> Storage::leftover() const {
+std::optional<Recovery> Storage::recovery() const {
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(autosave_file(), error);
   const std::optional<std::string> text = error ? std::nullopt : text_of(autosave_file());
   if (!text || text == known_) return std::nullopt;
-  Leftover leftover{std::nullopt, local_time(time)};
+  Recovery recovery{std::nullopt, local_time(time)};
   try {
-    leftover.project = project::parse(*text, autosave_file());
-    leftover.project->file = file_;
+    recovery.project = project::parse(*text, autosave_file());
+    recovery.project->file = file_;
   } catch (const Error&) {
-    // Not written by this version of the program.
+    // Unreadable: `project` stays empty.
   }
-  return leftover;
+  return recovery;
 }
 
 }  // namespace morphkit::edit

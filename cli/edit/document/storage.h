@@ -10,13 +10,13 @@
 
 namespace morphkit::edit {
 
-/// What an earlier session that did not end well has left.
-struct Leftover {
-  std::optional<project::Project> project;  ///< nothing: it cannot be read
+/// An autosave of a session that did not end normally.
+struct Recovery {
+  std::optional<project::Project> project;  ///< nothing: unreadable
   std::string when;                         ///< local time, "2026-11-23 14:05"
 };
 
-/// @throws Error kIo if no file could be written at the project's place, or what project::to_text says.
+/// Checks that the project can be saved. @throws Error kIo if its file cannot be written; errors of project::to_text.
 void require_savable(const project::Project& project);
 
 class Storage {
@@ -32,30 +32,30 @@ class Storage {
   /// @return the project as the file has it now. @throws Error kIo; the file is then what it was.
   project::Project save(project::Project project);
 
-  /// Whether the file holds something else than what was last read or written here. Looks at the file's time and size
-  /// first, so it may be asked often. A file that has gone away has not changed.
+  /// Whether another program has changed the file since it was last read or written here. Compares time and size first,
+  /// so frequent calls are cheap. A deleted file counts as unchanged.
   bool changed_by_others();
-  /// The same, but true only once for what is there.
-  bool news_of_others();
-  /// What the file holds now. It counts as changed until it is accepted. @throws Error as project::load.
+  /// The same, but true only once per change.
+  bool new_change_by_others();
+  /// Loads the file. It counts as changed until `accept`. @throws Error as project::load.
   project::Project read();
-  /// What was read last is known from now on.
+  /// Accepts the content of the last `read`.
   void accept();
 
   /// Writes the project beside its file, in the background. @return false if the last one is still being written.
   bool autosave(const project::Project& project);
-  /// What went wrong with an autosave since the last call, in a sentence; empty if nothing did.
+  /// Error message of an autosave since the last call; empty if there was none.
   std::string autosave_problem();
   /// Waits for the autosave that is being written.
   void finish();
   void drop_autosave();
-  /// The last moment before the program ends: writes the autosave, if need be to the folder for temporary files.
-  /// @return where it is. @throws Error kIo.
+  /// Writes the autosave before the program ends, if need be to the folder for temporary files.
+  /// @return its path. @throws Error kIo.
   std::filesystem::path rescue(const project::Project& project);
 
-  /// The autosave that is there, if it says something else than the file.
-  std::optional<Leftover> leftover() const;
-  /// Gives the autosave a name that nothing is written to. @return the name; nothing if it could not be renamed.
+  /// The autosave, if there is one and it differs from the file.
+  std::optional<Recovery> recovery() const;
+  /// Renames the autosave to a free name, so that it is kept. @return the name; nothing if renaming failed.
   std::optional<std::filesystem::path> set_autosave_aside();
 
  private:
@@ -67,12 +67,12 @@ class Storage {
   std::optional<Stamp> stamp() const;
 
   std::filesystem::path file_;
-  std::optional<std::string> known_;  ///< text of the file as last read or written; nothing: no file
+  std::optional<std::string> known_;  ///< text of the file when last read or written; nothing: no file
   std::optional<Stamp> stamp_;        ///< of `known_`
-  std::optional<Stamp> told_;         ///< of what `news_of_others` has told of
-  std::optional<std::string> read_;   ///< and its stamp: what `read` has read
+  std::optional<Stamp> told_;         ///< of the last change that `new_change_by_others` reported
+  std::optional<std::string> read_;   ///< text of the last `read`
   std::optional<Stamp> read_stamp_;
-  std::future<std::string> writing_;  ///< gives what went wrong
+  std::future<std::string> writing_;  ///< gives the error message
   std::string problem_;
 };
 

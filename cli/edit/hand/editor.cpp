@@ -22,7 +22,7 @@ bool same_view(const PreviewRequest& a, const PreviewRequest& b) {
   return a.t == b.t && a.show == b.show && a.folds == b.folds && a.view == b.view && a.size == b.size;
 }
 
-/// Whether both name the same files, however they spell them.
+/// Whether both sides name the same file, however it is spelled.
 bool same_picture(const project::Project& a, const project::Picture& of_a, const project::Project& b,
                   const project::Picture& of_b) {
   project::Picture renamed = of_a;
@@ -39,7 +39,7 @@ bool same_pictures(const project::Project& a, const project::Project& b) {
   });
 }
 
-/// What has no file yet begins empty: features that it came with are the first change.
+/// A project without a file begins empty, so that marks it came with are the first change.
 project::Project beginning(const project::Project& project) {
   project::Project begun = project;
   if (project.original) return begun;
@@ -65,25 +65,25 @@ Editor::Editor(project::Project project, const render::Pictures& pictures, cv::S
   model_.file_name = storage_.file().filename().string();
   model_.welcome = loaded.features.empty() && !loaded.mesh;
   if (loaded.mesh && project::method_name_of(loaded) == project::MethodName::kMesh) model_.tool = ToolId::kMesh;
-  if (!model_.document.changed()) kept_revision_ = model_.document.revision();
-  leftover_ = storage_.leftover();
-  if (leftover_) meet_leftover();
+  if (!model_.document.changed()) stored_revision_ = model_.document.revision();
+  recovery_ = storage_.recovery();
+  if (recovery_) offer_recovery();
 }
 
-/// Offers it; or puts it aside, if it is not for these pictures.
-void Editor::meet_leftover() {
-  if (leftover_->project && same_pictures(*leftover_->project, model_.document.project())) {
+/// Asks whether to restore it. Sets it aside if it belongs to other pictures.
+void Editor::offer_recovery() {
+  if (recovery_->project && same_pictures(*recovery_->project, model_.document.project())) {
     ask(Asked::kRestore, {"Unsaved work was found",
-                          {fmt::format("{} was being changed until {}", model_.file_name, leftover_->when),
+                          {fmt::format("{} was being changed until {}", model_.file_name, recovery_->when),
                            "and not saved when the program ended."},
                           {{'r', "Restore it (r)"}, {'d', "Discard it (d)"}, {'n', "Not now (n)"}}});
     return;
   }
-  put_leftover_aside();
+  set_recovery_aside();
 }
 
-void Editor::put_leftover_aside() {
-  leftover_.reset();
+void Editor::set_recovery_aside() {
+  recovery_.reset();
   const std::optional<std::filesystem::path> aside = storage_.set_autosave_aside();
   say(aside ? fmt::format("unsaved work of an earlier session is kept in {}", aside->filename().string())
             : "unsaved work of an earlier session could not be put aside");
@@ -97,13 +97,13 @@ std::string Editor::title() const {
 void Editor::mouse(const Mouse& event) {
   if (event.what == Mouse::What::kPress) model_.message.clear();
   grant(gestures_.mouse(event));
-  stale_ = true;
+  dirty_ = true;
 }
 
 void Editor::key(int key) {
   model_.message.clear();
   grant(gestures_.key(key));
-  stale_ = true;
+  dirty_ = true;
 }
 
 void Editor::grant(std::optional<Wish> wish) {
@@ -113,33 +113,33 @@ void Editor::grant(std::optional<Wish> wish) {
 
 void Editor::say(std::string message) {
   model_.message = std::move(message);
-  stale_ = true;
+  dirty_ = true;
 }
 
 void Editor::ask(Asked what, Question question) {
   asked_ = what;
   model_.question = std::move(question);
   model_.answer.reset();
-  stale_ = true;
+  dirty_ = true;
 }
 
 void Editor::turn(double now) {
   if (started_) {
     const double t = model_.t;
     gestures_.tick(now - now_);
-    if (model_.t != t) stale_ = true;
+    if (model_.t != t) dirty_ = true;
   }
   started_ = true;
   now_ = now;
   if (model_.answer) take_answer();
-  look_at_file();
+  check_file();
   keep_autosave();
   request_preview();
   take_preview();
 }
 
 const cv::Mat3b& Editor::draw() {
-  stale_ = false;
+  dirty_ = false;
   return canvas_.draw(model_, preview_);
 }
 
@@ -147,20 +147,20 @@ void Editor::take_answer() {
   const char answer = *model_.answer;
   model_.question.reset();
   model_.answer.reset();
-  stale_ = true;
+  dirty_ = true;
   const auto asked = std::exchange(asked_, Asked::kNothing);
   if (asked == Asked::kRestore) {
     if (answer == 'r') {
-      model_.document.replace(std::move(*leftover_->project));
+      model_.document.replace(std::move(*recovery_->project));
       model_.welcome = false;
-      autosave_is_there_ = true;
+      autosave_exists_ = true;
       say("restored; s saves it");
     } else if (answer == 'd') {
       storage_.drop_autosave();
     } else {
-      put_leftover_aside();
+      set_recovery_aside();
     }
-    leftover_.reset();
+    recovery_.reset();
   } else if (asked == Asked::kClose) {
     if (answer == 's') {
       close_after_save_ = true;
@@ -171,7 +171,7 @@ void Editor::take_answer() {
     }
   } else if (asked == Asked::kOverwrite) {
     if (answer == 'o' && save(true) && close_after_save_) done_ = true;
-    if (answer == 't') take_theirs();
+    if (answer == 't') reload_file();
     close_after_save_ = false;
   }
 }
@@ -191,13 +191,13 @@ bool Editor::save(bool over_changes_of_others) {
     say(fmt::format("not saved: {}", error.what()));
     return false;
   }
-  autosave_is_there_ = false;
-  kept_revision_ = model_.document.revision();
+  autosave_exists_ = false;
+  stored_revision_ = model_.document.revision();
   say(fmt::format("saved {}", model_.file_name));
   return true;
 }
 
-void Editor::take_theirs() {
+void Editor::reload_file() {
   try {
     project::Project theirs = storage_.read();
     if (!same_pictures(theirs, model_.document.project())) {
@@ -213,48 +213,48 @@ void Editor::take_theirs() {
   }
 }
 
-void Editor::look_at_file() {
-  if (now_ - looked_at_file_ < kLookAtFileEvery || model_.document.in_step() || model_.question) return;
-  looked_at_file_ = now_;
-  if (!storage_.news_of_others()) return;
+void Editor::check_file() {
+  if (now_ - file_checked_ < kFileCheckEvery || model_.document.in_step() || model_.question) return;
+  file_checked_ = now_;
+  if (!storage_.new_change_by_others()) return;
   if (model_.document.changed()) {
     say(fmt::format("{} has been changed by another program; s asks what to do", model_.file_name));
   } else {
-    take_theirs();
+    reload_file();
   }
 }
 
 void Editor::keep_autosave() {
   if (std::string problem = storage_.autosave_problem(); !problem.empty()) {
     say(fmt::format("autosave failed: {}", problem));
-    kept_revision_ = kNoRevision;
-    unkept_since_ = now_;
+    stored_revision_ = kNoRevision;
+    unstored_since_ = now_;
   }
-  if (asked_ == Asked::kRestore) return;  // what is there is still wanted
+  if (asked_ == Asked::kRestore) return;  // the autosave on disk is still needed
   const std::uint64_t revision = model_.document.revision();
-  if (revision == kept_revision_) {
-    unkept_since_.reset();
+  if (revision == stored_revision_) {
+    unstored_since_.reset();
     return;
   }
-  if (!unkept_since_) unkept_since_ = now_;
-  if (now_ - *unkept_since_ < kAutosaveAfter) return;
+  if (!unstored_since_) unstored_since_ = now_;
+  if (now_ - *unstored_since_ < kAutosaveAfter) return;
   if (!model_.document.changed()) {
     drop_autosave();
   } else if (storage_.autosave(model_.document.project())) {
-    autosave_is_there_ = true;
+    autosave_exists_ = true;
   } else {
     return;
   }
-  kept_revision_ = revision;
+  stored_revision_ = revision;
 }
 
 void Editor::drop_autosave() {
-  if (std::exchange(autosave_is_there_, false)) storage_.drop_autosave();
+  if (std::exchange(autosave_exists_, false)) storage_.drop_autosave();
 }
 
 std::string Editor::rescue() noexcept try {
   if (!model_.document.changed()) return "nothing was unsaved";
-  // Somebody's earlier work is still there, unanswered.
+  // An earlier autosave still waits for its answer.
   if (std::exchange(asked_, Asked::kNothing) == Asked::kRestore) storage_.set_autosave_aside();
   return fmt::format("what was not saved is in {}", storage_.rescue(model_.document.project()).string());
 } catch (const std::exception& error) {
@@ -294,7 +294,7 @@ void Editor::take_preview() {
   std::optional<PreviewPicture> picture = thread_.take();
   if (!picture) return;
   preview_ = std::move(*picture);
-  stale_ = true;
+  dirty_ = true;
 }
 
 void Editor::finish_preview() {

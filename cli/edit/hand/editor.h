@@ -1,5 +1,5 @@
 #pragma once
-// The preview tool without its window: events in, pictures out. Time is told, never looked up, so that tests can play.
+// The preview tool without its window: events in, pictures out. The caller passes the time, so tests control it.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,34 +20,35 @@ namespace morphkit::edit {
 
 /// How long changes wait before they are written to the autosave, s.
 inline constexpr double kAutosaveAfter = 3;
-/// How often the project file is looked at for changes by others, s.
-inline constexpr double kLookAtFileEvery = 1;
+/// How often the project file is checked for changes by other programs, s.
+inline constexpr double kFileCheckEvery = 1;
 
 class Editor {
  public:
-  /// @param project  with its `file`, which need not exist. @param pictures  its pictures; their pixels are shared.
-  /// @param canvas   size of the window, px, at least kLeastCanvas.
+  /// @param project   its `file` need not exist.
+  /// @param pictures  the pictures of the project; their pixels are shared.
+  /// @param canvas    size of the window, px, at least kLeastCanvas.
   Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas);
 
   void mouse(const Mouse& event);
   void key(int key);
 
-  /// One turn of the event loop at the moment `now`, s: plays, fetches previews, saves, notices.
+  /// One turn of the event loop at time `now`, s: plays, fetches previews, autosaves, checks the project file.
   void turn(double now);
 
-  /// Whether `draw` would give another picture than the last time.
-  bool stale() const noexcept { return stale_; }
+  /// Whether the canvas must be drawn again.
+  bool dirty() const noexcept { return dirty_; }
   /// The canvas, BGR; valid until the next call.
   const cv::Mat3b& draw();
 
-  /// The person wants to leave: asks if something would be lost.
+  /// Closes the editor. Asks first if there are unsaved changes.
   void close();
   bool done() const noexcept { return done_; }
-  /// The program is about to be ended: what is not saved goes to the autosave, now.
-  /// @return what became of it, in a few words for a message. Does not throw.
+  /// Writes unsaved changes to the autosave at once. For the end of the program.
+  /// @return what happened, for a message. Does not throw.
   std::string rescue() noexcept;
 
-  /// What the preview last needed, for the benchmark: waits until it is there.
+  /// Waits for the preview of the current state. For the benchmark.
   void finish_preview();
 
   const Model& model() const noexcept { return model_; }
@@ -59,12 +60,12 @@ class Editor {
 
   void grant(std::optional<Wish> wish);
   void ask(Asked what, Question question);
-  void meet_leftover();
-  void put_leftover_aside();
+  void offer_recovery();
+  void set_recovery_aside();
   void take_answer();
   bool save(bool over_changes_of_others);
-  void take_theirs();
-  void look_at_file();
+  void reload_file();
+  void check_file();
   void keep_autosave();
   void drop_autosave();
   void request_preview();
@@ -78,20 +79,20 @@ class Editor {
   Canvas canvas_;
   PreviewPicture preview_;
   Asked asked_ = Asked::kNothing;
-  std::optional<Leftover> leftover_;
+  std::optional<Recovery> recovery_;
   bool close_after_save_ = false;
-  bool stale_ = true;
+  bool dirty_ = true;
   bool done_ = false;
   double now_ = 0;
   bool started_ = false;
-  double looked_at_file_ = 0;
+  double file_checked_ = 0;
   static constexpr std::uint64_t kNoRevision = ~std::uint64_t{0};
-  std::uint64_t kept_revision_ = kNoRevision;  ///< the last one that a file has
-  std::optional<double> unkept_since_;         ///< when a later one came to be, s
-  bool autosave_is_there_ = false;
+  std::uint64_t stored_revision_ = kNoRevision;  ///< the newest one in the file or the autosave
+  std::optional<double> unstored_since_;         ///< time of the first newer revision, s
+  bool autosave_exists_ = false;
   std::optional<PreviewRequest> requested_;
   std::uint64_t requested_revision_ = 0;
-  PreviewThread thread_;  ///< last: it uses the pyramids, and stops first
+  PreviewThread thread_;  ///< last member: it uses the pyramids and must stop first
 };
 
 }  // namespace morphkit::edit

@@ -9,12 +9,12 @@
 namespace morphkit::edit {
 namespace {
 
-/// An edge stands out if its gradient is so many code values per px, and so many times what is usual around it.
+/// Least gradient of an edge: code values per px, and times the median around it.
 constexpr double kLeastGradient = 14;
 constexpr double kOutstanding = 2;
-constexpr double kLeastWindow = 6;  ///< px each way that say what is usual
+constexpr double kLeastWindow = 6;  ///< half size of the window of the median, px
 
-/// Green is most of what the eye calls brightness, and needs no sum.
+/// Green stands for brightness: it has the largest share and needs no sum.
 double brightness(const cv::Mat3b& picture, int x, int y) {
   return picture(std::clamp(y, 0, picture.rows - 1), std::clamp(x, 0, picture.cols - 1))[1];
 }
@@ -35,7 +35,7 @@ double strength(const cv::Mat3b& picture, int x, int y) {
   return std::hypot(g.x, g.y);
 }
 
-/// How far across the edge its strongest place lies, px: the top of the parabola through three strengths.
+/// Offset of the maximum of the parabola through three values, px.
 double top_of_parabola(double before, double here, double after) {
   const double bend = before - 2 * here + after;
   return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
@@ -53,7 +53,7 @@ cv::Point2d refined(const cv::Mat3b& picture, cv::Point at) {
   return result;
 }
 
-/// Pixels within `reach` of a position, as far as the picture goes.
+/// Pixels of the picture within `reach` of a position.
 cv::Rect around(cv::Point2d centre, double reach, cv::Size size) {
   const cv::Point first(static_cast<int>(std::floor(centre.x - reach)), static_cast<int>(std::floor(centre.y - reach)));
   const cv::Point last(static_cast<int>(std::ceil(centre.x + reach)), static_cast<int>(std::ceil(centre.y + reach)));
@@ -75,12 +75,12 @@ double usual_strength(const cv::Mat3b& picture, const cv::Rect& window) {
 
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom) {
   const cv::Mat3b& level = picture.display(zoom);
-  // Of each axis: the sizes of levels are rounded.
+  // Per axis, because level sizes are rounded.
   const cv::Point2d shrink(static_cast<double>(level.cols) / picture.size().width,
                            static_cast<double>(level.rows) / picture.size().height);
   const cv::Point2d centre(position.x * shrink.x, position.y * shrink.y);
   const double reach = radius * std::min(shrink.x, shrink.y);
-  // Magnified, the reach is a fraction of a pixel: what is usual around it is asked of more.
+  // When magnified the reach is a fraction of a pixel, so the median needs a larger window.
   const cv::Rect window = around(centre, std::max(reach, kLeastWindow), level.size());
   if (window.empty()) return std::nullopt;
   const double least = std::max(kLeastGradient, kOutstanding * usual_strength(level, window));
@@ -93,7 +93,7 @@ std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d po
       if (here < least) continue;
       const cv::Point2d at = refined(level, {x, y});
       const double distance = std::hypot(at.x - centre.x, at.y - centre.y);
-      // What is nearer was probably meant.
+      // Prefer near edges.
       const double likely = here * (1 - 0.5 * distance / reach);
       if (distance > reach || likely <= best) continue;
       best = likely;

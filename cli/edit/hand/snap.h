@@ -1,5 +1,5 @@
 #pragma once
-// Places that a hand probably means: ends of features, and edges of the picture.
+// Snap targets: ends of features, and edges in the picture.
 
 #include <optional>
 
@@ -10,15 +10,15 @@
 
 namespace morphkit::edit {
 
-/// The strongest edge of the picture within `radius` px of a position (picture px; where the edge is strongest across
-/// itself, to a fraction of a px), or nothing if no edge there stands out. @param zoom  as the picture is looked at.
+/// The strongest edge of the picture within `radius` px of a position, picture px, accurate to a fraction of a px.
+/// Nothing if no edge there stands out. @param zoom  of the view: edges are sought in the pyramid level that it shows.
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom);
 
-/// The nearest point of the features on that side within `radius` px, but for those of `except`.
+/// The nearest point of any feature but `except` on that side within `radius` px.
 std::optional<cv::Point2d> nearest_end(const Document& document, SideIndex side, cv::Point2d position, double radius,
                                        int except);
 
-/// As fine as a hand can tell at this zoom, in a power of ten, so that what people read in the project file is short.
+/// Rounds to a power of ten that is at most a tenth of a screen px, so that numbers in the project file are short.
 cv::Point2d rounded(cv::Point2d position, double zoom);
 
 }  // namespace morphkit::edit

@@ -1,5 +1,5 @@
 #pragma once
-// The model as a picture.
+// Draws the model.
 
 #include <cstdint>
 #include <optional>
@@ -15,18 +15,18 @@
 
 namespace morphkit::edit {
 
-/// Draws models. Keeps what does not change from one picture to the next.
+/// Draws the canvas. Caches the scaled pictures and the line pairs.
 class Canvas {
  public:
   /// The pyramids outlive it.
   Canvas(const Pyramid& source, const Pyramid& destination) : source_(source), destination_(destination) {}
 
-  /// @param preview  the newest; an empty image: not there yet, or its `problem` is shown.
+  /// @param preview  the newest one. Without an image its `problem` is shown.
   /// @return BGR of model.canvas_size; valid until the next call.
   const cv::Mat3b& draw(const Model& model, const PreviewPicture& preview);
 
  private:
-  /// A picture as a view shows it, without marks.
+  /// A picture in its view, without marks.
   struct Shown {
     View view;
     cv::Mat3b pixels;

@@ -14,7 +14,7 @@
 namespace morphkit::edit {
 namespace {
 
-/// Where things are written, and how.
+/// Writes text into rectangles.
 struct Scribe {
   cv::Mat3b& canvas;
   const Layout& layout;
@@ -23,7 +23,7 @@ struct Scribe {
 
   int px(double units) const { return static_cast<int>(std::lround(units * layout.scale)); }
   int width(std::string_view text) const { return type.width(text, height); }
-  /// In the middle of the rectangle's height, from its left edge on, as much as fits.
+  /// Left-aligned, centred in height, cut to fit.
   void left(const cv::Rect& rect, std::string_view text, const cv::Vec3b& color) const {
     type.draw(canvas, type.fitted(text, height, rect.width), {rect.x, baseline(rect)}, height, color);
   }
@@ -86,7 +86,7 @@ bool is_answer(const Widget& widget) {
   return std::holds_alternative<Answer>(widget.action);
 }
 
-std::string what_is_selected(const Model& model) {
+std::string selection_text(const Model& model) {
   const Selection& selection = model.document.selection();
   if (!selection.vertices.empty())
     return fmt::format("{} {}", selection.vertices.size(), selection.vertices.size() == 1 ? "vertex" : "vertices");
@@ -95,8 +95,8 @@ std::string what_is_selected(const Model& model) {
   return model.document.project().features[static_cast<std::size_t>(selection.features.front())].id;
 }
 
-/// Where the mouse is and how large the pane under it is shown.
-std::string whereabouts(const Model& model, const Layout& layout) {
+/// Mouse position and zoom of the pane under it.
+std::string mouse_text(const Model& model, const Layout& layout) {
   const std::optional<Pane> pane = layout.pane_at(model.mouse);
   if (!pane) return "";
   const cv::Point2d at = to_content(model, layout, *pane, model.mouse);
@@ -115,7 +115,7 @@ void draw_status(const Scribe& scribe, const Model& model, const PreviewPicture&
   const bool changed = model.document.changed();
   const std::string file = model.file_name + (changed ? " *" : "");
   scribe.left(rect, file, changed ? palette::kText : palette::kQuiet);
-  std::string right = whereabouts(model, scribe.layout);
+  std::string right = mouse_text(model, scribe.layout);
   if (preview.fold_share > 0) right = fmt::format("folds: {:.1f} %    {}", 100 * preview.fold_share, right);
   scribe.right(rect, right, palette::kQuiet);
   const int used = scribe.width(file) + scribe.px(28);
@@ -150,7 +150,7 @@ void draw_chrome(cv::Mat3b& canvas, const Model& model, const Layout& layout, co
   cv::Rect target = layout.tuning;
   target.x += scribe.px(12);
   target.width = scribe.px(98);
-  scribe.left(target, what_is_selected(model), palette::kQuiet);
+  scribe.left(target, selection_text(model), palette::kQuiet);
   cv::Rect moment = layout.time;
   moment.width -= scribe.px(68);
   const project::Output& output = model.document.project().output;

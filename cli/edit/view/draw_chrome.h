@@ -1,5 +1,5 @@
 #pragma once
-// What surrounds the panes: strips, widgets, titles, the status line.
+// Draws the strips around the panes: widgets, titles, the status line.
 
 #include <opencv2/core.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace morphkit::edit {
 
-/// Size of ordinary type, in units of Layout::scale.
+/// Height of ordinary type, in units of Panes::scale.
 inline constexpr double kTypeHeight = 14;
 
 void draw_chrome(cv::Mat3b& canvas, const Model& model, const Layout& layout, const PreviewPicture& preview,

@@ -12,9 +12,9 @@
 namespace morphkit::edit {
 namespace {
 
-constexpr std::size_t kMostNumbered = 32;  ///< with more features, only what is selected or under the mouse is numbered
+constexpr std::size_t kMostNumbered = 32;  ///< with more features, only selected and hovered ones are numbered
 
-/// What all marks of a pane are drawn with.
+/// Draws on one pane.
 struct Pen {
   cv::Mat3b& pane;
   const View& view;
@@ -30,7 +30,7 @@ struct Pen {
   }
   int px(double units) const { return std::max(1, static_cast<int>(std::lround(units * scale))); }
 
-  /// Coloured, on a dark line that keeps it apart from bright pictures; a bright casing has a dark one of its own.
+  /// A line with a casing around it. A bright casing gets a dark one around itself.
   void cased(const std::vector<cv::Point2d>& points, const cv::Vec3b& color, const cv::Vec3b& casing,
              double thickness) const {
     if (casing != palette::kDark) stroke(pane, points, palette::kDark, px(thickness + 4.8));
@@ -68,7 +68,7 @@ Look look_of(const Model& model, int feature) {
 void draw_arrow(const Pen& pen, const std::vector<cv::Point2d>& line, const Look& look) {
   const cv::Point2d tip = line.back();
   const double size = 11 * pen.scale;
-  // The last place on the line that is as far away as the arrow is long.
+  // The last point of the line that is one arrow length away from the tip.
   const auto away = [&](cv::Point2d at) { return std::hypot(tip.x - at.x, tip.y - at.y); };
   const auto from = std::find_if(line.rbegin(), line.rend(), [&](cv::Point2d at) { return away(at) >= size; });
   if (from == line.rend()) return;
@@ -189,7 +189,7 @@ void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scal
     if (model.document.has_mesh() && (mesh || model.document.method() == project::MethodName::kMesh))
       draw_mesh(pen, model, side);
     const int count = static_cast<int>(model.document.project().features.size());
-    // What is marked lies on top.
+    // Selected and hovered features lie on top.
     for (const bool marked : {false, true})
       for (int i = 0; i < count && !mesh; ++i)
         if (look_of(model, i).marked == marked) draw_feature(pen, model, side, i);
@@ -207,7 +207,7 @@ void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render:
     return (model.hover && model.hover->feature == feature) ||
            std::ranges::binary_search(model.document.selection().features, feature);
   };
-  /// All casings lie below all colours: neighbours touch.
+  /// All casings lie below all colours, because neighbours touch.
   const auto draw = [&](cv::Mat3b& picture, double t, bool all, bool cased) {
     const std::vector<warp::FieldLine> lines = render::field_lines(pairs, t);
     for (const bool casing : {true, false})
@@ -230,7 +230,7 @@ void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render:
       const double strength = 0.2 + 0.6 * (1 - std::min(1.0, 2 * std::abs(t - model.t)));
       cv::addWeighted(skin, strength, pane, 1 - strength, 0, pane);
     }
-  // Otherwise only what is worked on, so that the picture can be judged.
+  // Without the onion skin only selected and hovered features, so that the picture can be judged.
   draw(pane, model.t, model.switches.onion, true);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Marks on the panes: features, meshes, what is being drawn. Pictures are those of a pane alone.
+// Draws marks on panes: features, meshes, sketches. Each picture is one pane.
 
 #include <vector>
 
@@ -12,10 +12,10 @@
 
 namespace morphkit::edit {
 
-/// On a picture: features or mesh, the sketch, what it has snapped to.
+/// On a picture: features or mesh, the sketch, the snap target.
 void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scale, const Type& type);
 
-/// On the result: the in-between lines of the moment, or of five with the onion skin.
+/// On the result: the in-between lines at t, with the onion skin also at five moments.
 void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render::LinePair>& pairs, double scale);
 
 }  // namespace morphkit::edit

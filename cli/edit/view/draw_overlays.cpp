@@ -24,7 +24,7 @@ int px(const Layout& layout, double units) {
   return static_cast<int>(std::lround(units * layout.scale));
 }
 
-/// The help, set in columns of whole sections.
+/// The help in two columns of whole sections.
 class HelpPage {
  public:
   HelpPage(const Type& type, cv::Size canvas, double scale)
@@ -36,7 +36,7 @@ class HelpPage {
       column_ = std::max(column_, keys_ + type.width(line.text, height_) + 3 * height_);
   }
 
-  /// Two columns of about the same height: the first section that begins below the middle begins the second one.
+  /// Rows of the longer column. The first section that begins below the middle begins the second column.
   int rows() const { return std::max(rows_of(lines().first(split())), rows_of(lines().subspan(split()))); }
   bool fits() const { return 2 * column_ + 4 * height_ <= canvas_.width && (rows() + 5) * pitch_ <= canvas_.height; }
   cv::Rect card() const {
@@ -156,7 +156,7 @@ void draw_loupe(cv::Mat3b& canvas, const Model& model, const Layout& layout, con
     stroke(magnified, {middle - cv::Point2d(arm, 0), middle + cv::Point2d(arm, 0)}, color, thickness);
     stroke(magnified, {middle - cv::Point2d(0, arm), middle + cv::Point2d(0, arm)}, color, thickness);
   }
-  // Beside the hand, on the side that has room.
+  // On the side of the mouse that has room.
   const cv::Rect& rect = layout.pane(*pane);
   const int gap = px(layout, 22);
   const bool left = model.mouse.x + gap + size.width > rect.br().x;

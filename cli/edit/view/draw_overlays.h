@@ -1,5 +1,5 @@
 #pragma once
-// What lies over everything: the help, the welcome, a question, the loupe.
+// Overlays: help, welcome, questions, loupe.
 
 #include <opencv2/core.hpp>
 
@@ -14,7 +14,7 @@ void draw_help(cv::Mat3b& canvas, const Layout& layout, const Type& type);
 void draw_welcome(cv::Mat3b& canvas, const Layout& layout, const Type& type);
 void draw_question(cv::Mat3b& canvas, const Model& model, const Layout& layout, const Type& type);
 
-/// At the mouse, if it is on a picture.
+/// Beside the mouse, if it is on a picture.
 void draw_loupe(cv::Mat3b& canvas, const Model& model, const Layout& layout, const Pyramid& source,
                 const Pyramid& destination);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Colours and shapes of the preview tool. Colours are BGR, as screens of OpenCV are.
+// Colours and shapes of the preview tool. Colours are BGR, as in OpenCV.
 
 #include <vector>
 
@@ -22,7 +22,7 @@ inline const cv::Vec3b kAlert(92, 104, 240);
 inline const cv::Vec3b kMesh(214, 200, 130);
 }  // namespace palette
 
-/// The colour of a pair of marks: hues a golden angle apart, so that neighbours differ.
+/// Colour of a feature on both pictures. Hues are a golden angle apart, so neighbours differ.
 cv::Vec3b feature_color(int feature);
 
 /// `share` of the way from a to b.
@@ -31,8 +31,9 @@ cv::Vec3b mixed(const cv::Vec3b& a, const cv::Vec3b& b, double share);
 /// A rectangle with round corners. @param cover  1: opaque.
 void fill(cv::Mat3b& picture, const cv::Rect& rect, const cv::Vec3b& color, int radius = 0, double cover = 1);
 
-/// A picture scaled and moved, on the background. @param map  from px of the result to px of the picture, both with
-/// centres at whole numbers. @param how  an interpolation of OpenCV.
+/// A picture scaled and moved over the background.
+/// @param map  px of the result to px of the picture, both with pixel centres at whole numbers.
+/// @param how  an interpolation of OpenCV.
 cv::Mat3b placed(const cv::Mat3b& picture, const cv::Matx23d& map, cv::Size size, int how);
 
 // Antialiased, to fractions of a px; positions may lie anywhere.

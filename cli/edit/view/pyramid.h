@@ -1,5 +1,5 @@
 #pragma once
-// A picture at every size that a view may need.
+// A picture at several sizes, for any zoom.
 
 #include <cstddef>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace morphkit::edit {
 
-/// Level 0 is the picture; each further level has half the size, rounded up, by area averaging. The last one is at most
-/// kSmallestLevel px wide and high. Cost: a third of the picture in memory, and four bytes for every pixel of it.
+/// Level 0 is the picture; each further level has half the size, rounded up, by area averaging. The last level is at
+/// most kSmallestLevel px wide and high. Cost: memory for a third of the picture, and four bytes per pixel.
 class Pyramid {
  public:
   /// @param picture  shared, not copied.
@@ -19,13 +19,12 @@ class Pyramid {
 
   cv::Size size() const noexcept { return levels_.front().size(); }
 
-  /// The smallest level that need not be magnified to show the picture at `scale` px per pixel; level 0 if all must be.
+  /// The smallest level that is not magnified at `scale` screen px per picture px; level 0 if every level is.
   std::size_t level(double scale) const noexcept;
 
   /// Linear, premultiplied.
   const warp::Image& light(double scale) const noexcept { return levels_[level(scale)]; }
-  /// The same for the screen. From one thread at a time: the largest level, which is seldom looked at, is made when it
-  /// is first asked for.
+  /// The same as screen colours, BGR. Not thread-safe: level 0, which is seldom needed, is made on first use.
   const cv::Mat3b& display(double scale) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// From light to what a screen shows.
+// Linear light to screen colours.
 
 #include <opencv2/core.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace morphkit::edit {
 
-/// BGR, sRGB codes; what is transparent lies over a checkerboard of two greys. Parallel over rows.
+/// BGR in sRGB; transparent pixels over a checkerboard of two greys. Parallel over rows.
 cv::Mat3b to_screen(const warp::Image& image);
 
 }  // namespace morphkit::edit

@@ -1,5 +1,5 @@
 #pragma once
-// Type on pictures. The only file that knows FreeType.
+// Draws text. The only file that uses FreeType.
 
 #include <map>
 #include <string>
@@ -14,20 +14,20 @@ class FreeType2;
 
 namespace morphkit::edit {
 
-/// Draws lines of text, and remembers how they look.
+/// Draws lines of text. Caches rendered lines.
 class Type {
  public:
-  /// Looks for DejaVu Sans. Without it, what is drawn comes from OpenCV's own strokes, which know ASCII alone.
+  /// Looks for DejaVu Sans. Without it, OpenCV's stroke font is used, which has ASCII only.
   Type();
 
   /// @param text  UTF-8, one line. @param height  of the type, px.
   int width(std::string_view text, int height) const;
 
-  /// @param left_baseline  where the line begins, px; what does not fit on the picture is cut.
+  /// @param left_baseline  start of the line, px; the text is cut at the borders of the picture.
   void draw(cv::Mat3b& picture, std::string_view text, cv::Point left_baseline, int height,
             const cv::Vec3b& color) const;
 
-  /// As much of the text as fits into `room` px, with an ellipsis if that is not all.
+  /// The text, shortened to `room` px with an ellipsis if it is longer.
   std::string fitted(std::string_view text, int height, int room) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// How a picture lies in a pane: what zooming and panning change.
+// A view: zoom and centre of a picture in a pane.
 
 #include <opencv2/core/types.hpp>
 
@@ -22,13 +22,13 @@ struct View {
 inline constexpr double kLeastZoom = 1.0 / 256;
 inline constexpr double kMostZoom = 64;
 
-/// All of the picture, centred, with a small margin.
+/// The whole picture, centred, with a small margin.
 View fitted(cv::Size picture, cv::Size pane);
 
-/// Zoomed by `factor` about what lies at `in_pane`, which stays there.
+/// Zooms by `factor`. The picture position at `in_pane` stays where it is.
 View zoomed(const View& view, double factor, cv::Point2d in_pane, cv::Size pane);
 
-/// What shows the same part of another picture: the centre at the same fraction, the zoom scaled by the widths.
+/// The view of another picture that shows the same part: centre at the same fraction, zoom scaled by the widths.
 View matching(const View& view, cv::Size picture, cv::Size other);
 
 }  // namespace morphkit::edit

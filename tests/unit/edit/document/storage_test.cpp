@@ -70,20 +70,20 @@ TEST(Storage, GivesBackAnAutosaveUntilTheProjectIsSaved) {
   project::Project project = in_file(folder / "pair.json");
   {
     Storage storage(project);
-    EXPECT_FALSE(storage.leftover());
+    EXPECT_FALSE(storage.recovery());
     ASSERT_TRUE(storage.autosave(project));
     storage.finish();
     EXPECT_EQ(storage.autosave_problem(), "");
   }
   EXPECT_FALSE(fs::exists(project.file));
   Storage storage(project);
-  const std::optional<Leftover> leftover = storage.leftover();
-  ASSERT_TRUE(leftover);
-  EXPECT_TRUE(project::same_document(*leftover->project, project));
-  EXPECT_EQ(leftover->project->file, project.file);
-  EXPECT_EQ(leftover->when.size(), std::string("2026-11-23 14:05").size());
+  const std::optional<Recovery> recovery = storage.recovery();
+  ASSERT_TRUE(recovery);
+  EXPECT_TRUE(project::same_document(*recovery->project, project));
+  EXPECT_EQ(recovery->project->file, project.file);
+  EXPECT_EQ(recovery->when.size(), std::string("2026-11-23 14:05").size());
   storage.save(project);
-  EXPECT_FALSE(storage.leftover());
+  EXPECT_FALSE(storage.recovery());
   EXPECT_EQ(folder.names(), std::vector<std::string>{"pair.json"});
 }
 
@@ -92,12 +92,12 @@ TEST(Storage, GivesAnAutosaveThatItCannotReadAnotherName) {
   Storage storage(in_file(folder / "pair.json"));
   test::write_text(folder / "pair.json.autosave.1", "an earlier one");
   test::write_text(storage.autosave_file(), "no project");
-  ASSERT_TRUE(storage.leftover());
-  EXPECT_FALSE(storage.leftover()->project);
+  ASSERT_TRUE(storage.recovery());
+  EXPECT_FALSE(storage.recovery()->project);
   EXPECT_EQ(storage.set_autosave_aside(), folder / "pair.json.autosave.2");
   EXPECT_EQ(test::read_text(folder / "pair.json.autosave.2"), "no project");
   EXPECT_EQ(test::read_text(folder / "pair.json.autosave.1"), "an earlier one");
-  EXPECT_FALSE(storage.leftover());
+  EXPECT_FALSE(storage.recovery());
 }
 
 TEST(Storage, TellsOfNewsOnce) {
@@ -105,13 +105,13 @@ TEST(Storage, TellsOfNewsOnce) {
   project::Project project = in_file(folder / "pair.json");
   Storage storage(project);
   project = storage.save(project);
-  EXPECT_FALSE(storage.news_of_others());
+  EXPECT_FALSE(storage.new_change_by_others());
   edit_by_hand(project.file, "{");
-  EXPECT_TRUE(storage.news_of_others());
-  EXPECT_FALSE(storage.news_of_others());
+  EXPECT_TRUE(storage.new_change_by_others());
+  EXPECT_FALSE(storage.new_change_by_others());
   EXPECT_TRUE(storage.changed_by_others());
   edit_by_hand(project.file, "{}");
-  EXPECT_TRUE(storage.news_of_others()) << "there are more";
+  EXPECT_TRUE(storage.new_change_by_others()) << "there are more";
 }
 
 TEST(Storage, WhatWasWrittenSinceTheProjectWasLoadedIsAChangeByOthers) {

@@ -292,7 +292,7 @@ TEST_F(EditorSession, TakesOverWhatAHandWroteWhileNothingWasChanged) {
   drag({20, 30}, {120, 40});
   press('s');
   edit_by_hand("line 1", "brow");
-  wait(kLookAtFileEvery + 0.1);
+  wait(kFileCheckEvery + 0.1);
   EXPECT_EQ(project().features.front().id, "brow");
   EXPECT_NE(editor_->title().front(), '*');
 }
@@ -303,7 +303,7 @@ TEST_F(EditorSession, DoesNotOverwriteWhatAHandWrote) {
   press('s');
   drag({30, 90}, {110, 100});
   edit_by_hand("line 1", "brow");
-  wait(kLookAtFileEvery + 0.1);
+  wait(kFileCheckEvery + 0.1);
   EXPECT_EQ(project().features.front().id, "line 1");
   EXPECT_NE(editor_->model().message.find("another program"), std::string::npos);
   press('s');
@@ -325,10 +325,10 @@ TEST_F(EditorSession, TakesOverWhatAHandWroteOnceItCanBeRead) {
   drag({20, 30}, {120, 40});
   press('s');
   edit_by_hand("line 1", "brow\"");
-  wait(kLookAtFileEvery + 0.1);
+  wait(kFileCheckEvery + 0.1);
   EXPECT_TRUE(editor_->model().message.starts_with("not taken"));
   edit_by_hand("brow\"", "brow");
-  wait(kLookAtFileEvery + 0.1);
+  wait(kFileCheckEvery + 0.1);
   EXPECT_EQ(project().features.front().id, "brow");
 }
 
@@ -337,7 +337,7 @@ TEST_F(EditorSession, DoesNotOverwriteAProjectOfOtherPictures) {
   drag({20, 30}, {120, 40});
   press('s');
   edit_by_hand("a.png", "c.png");
-  wait(kLookAtFileEvery + 0.1);
+  wait(kFileCheckEvery + 0.1);
   EXPECT_NE(editor_->model().message.find("other pictures"), std::string::npos);
   drag({30, 90}, {110, 100});
   press('s');
@@ -372,12 +372,12 @@ TEST_F(EditorSession, ThePictureFollowsTheHand) {
   open();
   editor_->finish_preview();
   const cv::Mat3b before = editor_->draw().clone();
-  EXPECT_FALSE(editor_->stale());
+  EXPECT_FALSE(editor_->dirty());
   wait(0.01);
-  EXPECT_FALSE(editor_->stale()) << "nothing has happened";
+  EXPECT_FALSE(editor_->dirty()) << "nothing has happened";
   drag({20, 30}, {120, 40});
   editor_->finish_preview();
-  EXPECT_TRUE(editor_->stale());
+  EXPECT_TRUE(editor_->dirty());
   EXPECT_EQ(before.size(), kCanvas);
   EXPECT_GT(cv::norm(before, editor_->draw(), cv::NORM_L1), 0);
 }
