@@ -34,6 +34,28 @@ const std::map<std::string, warp::FieldAccuracy>& field_names() {
   return names;
 }
 
+const std::map<std::string, project::Fit>& fit_names() {
+  static const std::map<std::string, project::Fit> names{{"contain", project::Fit::kContain},
+                                                         {"cover", project::Fit::kCover},
+                                                         {"stretch", project::Fit::kStretch},
+                                                         {"none", project::Fit::kNone}};
+  return names;
+}
+
+const std::map<std::string, warp::MeshSpline>& spline_names() {
+  static const std::map<std::string, warp::MeshSpline> names{{"monotone", warp::MeshSpline::kMonotone},
+                                                             {"catmull-rom", warp::MeshSpline::kCatmullRom},
+                                                             {"linear", warp::MeshSpline::kLinear}};
+  return names;
+}
+
+const std::map<std::string, warp::PassOrder>& order_names() {
+  static const std::map<std::string, warp::PassOrder> names{{"auto", warp::PassOrder::kAuto},
+                                                            {"rows-first", warp::PassOrder::kRowsFirst},
+                                                            {"columns-first", warp::PassOrder::kColumnsFirst}};
+  return names;
+}
+
 cv::Size parse_size(const std::string& text, const std::string& option) {
   const std::size_t cross = text.find('x');
   const std::string_view whole = text;

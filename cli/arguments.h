@@ -11,9 +11,12 @@
 
 namespace morphkit::cli {
 
-/// What --filter and --field may say.
+/// What --filter, --field, --fit, --spline and --order may say.
 const std::map<std::string, warp::Filter>& filter_names();
 const std::map<std::string, warp::FieldAccuracy>& field_names();
+const std::map<std::string, project::Fit>& fit_names();
+const std::map<std::string, warp::MeshSpline>& spline_names();
+const std::map<std::string, warp::PassOrder>& order_names();
 
 /// The names of such a table, for the choices of an option.
 template <typename Value>

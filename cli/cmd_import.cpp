@@ -2,44 +2,10 @@
 
 #include <memory>
 
-#include <fmt/format.h>
-
-#include "base/error.h"
 #include "cli/command.h"
-#include "cli/command_line.h"
-#include "cli/terminal.h"
-#include "morph/exchange/import.h"
-#include "morph/media/image_file.h"
-#include "morph/project/project.h"
+#include "cli/works.h"
 
 namespace morphkit::cli {
-namespace {
-
-cv::Size picture_size(const std::filesystem::path& picture) {
-  const media::ImageInfo info = media::read_info(picture);
-  return {info.width, info.height};
-}
-
-/// `picture` as seen from the folder that `project` lies in. Links among the folders are followed, as whoever opens the
-/// path will do; a link that is the picture itself keeps its name.
-std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture) {
-  const auto folder = [](const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  };
-  return (std::filesystem::proximate(folder(picture), folder(project)) / picture.filename()).lexically_normal();
-}
-
-/// What the project now has.
-std::string summary(const project::Project& project) {
-  std::string text;
-  if (project.mesh) text = fmt::format("a mesh of {} x {} vertices", project.mesh->columns, project.mesh->rows);
-  if (!project.features.empty()) {
-    text += fmt::format("{}{} features", text.empty() ? "" : " and ", project.features.size());
-  }
-  return text;
-}
-
-}  // namespace
 
 void add_import(CommandLine& line, Session& session) {
   auto options = std::make_shared<ImportOptions>();
@@ -47,26 +13,12 @@ void add_import(CommandLine& line, Session& session) {
       line, session,
       {"import", "Make a project of other tools' files (xmorph and gtkmorph meshes)",
        "  morphkit import cat.mesh tiger.mesh --source cat.png --destination tiger.png -o pair.json", kRenderGroup},
-      [options](Output& output) { return run_import(*options, output); });
+      work_of(session, &Works::import_, options));
   command.paths("FILE", options->files, "The other tool's files, the source's first: two .mesh", "").required();
   command.path("--source", options->source, "The picture to start from", "A").required();
   command.path("--destination", options->destination, "The picture to arrive at", "B").required();
   command.path("-o,--output", options->output, "The project to write", "PROJECT").required();
   command.flag("-y,--overwrite", options->overwrite, "Replace the project if it exists");
-}
-
-int run_import(const ImportOptions& options, Output& output) {
-  if (options.output.extension() != ".json")
-    throw Error(ErrorCode::kUsage, options.output.string(), "is no name for a project; it should end in .json");
-  project::Project project;
-  project.pictures[project::kSource].image = seen_from(options.output, options.source);
-  project.pictures[project::kDestination].image = seen_from(options.output, options.destination);
-  const exchange::ImportReport report =
-      exchange::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
-  project::save(project, options.output, options.overwrite);
-  for (const std::string& remark : report.remarks) output.note(remark);
-  output.note(fmt::format("{}: {} from {}", options.output.string(), summary(project), report.format));
-  return 0;
 }
 
 }  // namespace morphkit::cli

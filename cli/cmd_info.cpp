@@ -1,14 +1,44 @@
 #include "cli/cmd_info.h"
 
 #include <memory>
+#include <optional>
 
 #include "base/error.h"
 #include "cli/command.h"
-#include "cli/command_line.h"
-#include "cli/file_info.h"
 #include "cli/terminal.h"
+#include "cli/works.h"
+#include "morph/media/quick_size.h"
 
 namespace morphkit::cli {
+namespace {
+
+/// What cannot be told without the picture libraries.
+struct NeedsLibraries {};
+
+/// Tells about one project if that needs no picture library; nothing, and prints nothing, if it does.
+std::optional<int> run_quickly(const InfoOptions& options, Output& output) {
+  if (options.files.size() != 1 || options.files[0].extension() != ".json") return std::nullopt;
+  const auto size_of = [](const std::filesystem::path& picture) {
+    const std::optional<cv::Size> size = media::quick_size(picture);
+    if (!size) throw NeedsLibraries();
+    return *size;
+  };
+  try {
+    return tell(
+        options, [&](const std::filesystem::path& file) { return project_info(file, size_of); }, output);
+  } catch (const NeedsLibraries&) {
+    return std::nullopt;
+  }
+}
+
+Action action_of(const Session& session, const std::shared_ptr<InfoOptions>& options) {
+  return [options, slow = work_of(session, &Works::info, options)](Output& output) {
+    const std::optional<int> code = run_quickly(*options, output);
+    return code ? *code : slow(output);
+  };
+}
+
+}  // namespace
 
 void add_info(CommandLine& line, Session& session) {
   auto options = std::make_shared<InfoOptions>();
@@ -17,18 +47,18 @@ void add_info(CommandLine& line, Session& session) {
                                  "  morphkit info face.jpg pair.json\n"
                                  "  morphkit info plate.exr --pixels --json",
                                  kInspectGroup},
-                                [options](Output& output) { return run_info(*options, output); });
+                                action_of(session, options));
   command.paths("FILE", options->files, "Pictures and projects (*.json)", "").required();
   command.flag("--pixels", options->pixels, "Decode pictures: minimum, maximum, mean, values that are not finite");
   command.flag("--json", options->json, "Print an array with one object per file");
 }
 
-int run_info(const InfoOptions& options, Output& output) {
+int tell(const InfoOptions& options, const InfoReader& info_of, Output& output) {
   int exit_code = 0;
   Report all = Report::array();
   for (const std::filesystem::path& file : options.files) {
     try {
-      const FileInfo info = file.extension() == ".json" ? project_info(file) : picture_info(file, options.pixels);
+      const FileInfo info = info_of(file);
       if (!options.json) output.print(info.text);
       all.push(info.report);
     } catch (const Error& error) {

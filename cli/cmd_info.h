@@ -2,7 +2,10 @@
 // morphkit info FILE...: what is in pictures and project files.
 
 #include <filesystem>
+#include <functional>
 #include <vector>
+
+#include "cli/file_info.h"
 
 namespace morphkit::cli {
 
@@ -18,8 +21,14 @@ struct InfoOptions {
 
 void add_info(CommandLine& line, Session& session);
 
+/// Tells about a file. @throws Error.
+using InfoReader = std::function<FileInfo(const std::filesystem::path& file)>;
+
 /// Tells about every file; one that cannot be read is reported and the others still told about.
 /// @return 0, or the code of the first error.
+int tell(const InfoOptions& options, const InfoReader& info_of, Output& output);
+
+/// Likewise, by the picture libraries.
 int run_info(const InfoOptions& options, Output& output);
 
 }  // namespace morphkit::cli

@@ -2,47 +2,11 @@
 
 #include <memory>
 
-#include <fmt/format.h>
-
-#include "base/error.h"
 #include "cli/arguments.h"
-#include "cli/cmd_morph.h"
 #include "cli/command.h"
-#include "cli/command_line.h"
-#include "cli/frame_range.h"
-#include "cli/interrupt.h"
-#include "cli/terminal.h"
-#include "morph/media/frame_pattern.h"
-#include "morph/media/image_file.h"
-#include "morph/render/renderer.h"
-#include "morph/render/stmap.h"
+#include "cli/works.h"
 
 namespace morphkit::cli {
-namespace {
-
-void write_moment(const MapOptions& options, const render::Renderer& renderer, double t,
-                  const std::filesystem::path& file) {
-  const project::SideIndex side = options.side == "destination" ? project::kDestination : project::kSource;
-  const render::Origin origin = options.origin == "top-left" ? render::Origin::kTopLeft : render::Origin::kBottomLeft;
-  renderer.require(t);
-  media::write_map(file, render::stmap(renderer.map(t, side), renderer.picture_size(side), origin), options.overwrite);
-}
-
-int write_frames(const MapOptions& options, const render::Renderer& renderer, Output& output) {
-  const project::Output& out = renderer.project().output;
-  const std::vector<int> frames = parse_frame_range(options.frames, out.start, out.start + out.frames - 1);
-  const media::FramePattern pattern(options.output);
-  ProgressBar bar(output, "maps");
-  int done = 0;
-  for (const int frame : frames) {
-    stop_if_interrupted(fmt::format("{} of {} maps were written", done, frames.size()));
-    write_moment(options, renderer, renderer.time_of(frame), pattern(frame));
-    bar.update(++done, 0, static_cast<int>(frames.size()));
-  }
-  return 0;
-}
-
-}  // namespace
 
 void add_map(CommandLine& line, Session& session) {
   auto options = std::make_shared<MapOptions>();
@@ -51,7 +15,7 @@ void add_map(CommandLine& line, Session& session) {
                                  "  morphkit map pair.json -t 0.5 -o stmap.exr\n"
                                  "  morphkit map pair.json --frames 1-48 --side destination -o stmap.%04d.exr",
                                  kRenderGroup},
-                                [options](Output& output) { return run_map(*options, output); });
+                                work_of(session, &Works::map, options));
   command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
   command.path("--features", options->features, "Features for two pictures", "F");
   command.real("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)", "T");
@@ -65,20 +29,6 @@ void add_map(CommandLine& line, Session& session) {
   command.path("-o,--output", options->output, "The file, or a numbered name for frames", "OUT.exr").required();
   command.flag("--allow-folds", options->allow_folds, "Write the map of a mesh that folds over all the same");
   command.flag("-y,--overwrite", options->overwrite, "Replace files that exist");
-}
-
-int run_map(const MapOptions& options, Output& output) {
-  if (options.t.has_value() == !options.frames.empty())
-    throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
-  if (options.t) require_moment(*options.t);
-  project::Project project = project_from(options.inputs, options.features);
-  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
-  warn_of_unused_settings(project, output);
-  const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
-  if (!options.t) return write_frames(options, renderer, output);
-  write_moment(options, renderer, *options.t, options.output);
-  output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));
-  return 0;
 }
 
 }  // namespace morphkit::cli

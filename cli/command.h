@@ -12,9 +12,13 @@ struct CommonOptions {
   int threads = 0;  ///< 0: all that the machine has
 };
 
+struct Works;
+
 /// One run of the program.
 struct Session {
   CommonOptions common;
+  const Works* works = nullptr;  ///< null in the program that starts quickly: see works.h
+  const char* const* argv = nullptr;
 };
 
 inline constexpr const char* kRenderGroup = "Make";

@@ -2,6 +2,9 @@
 // What `info` tells about a picture and a project, as data.
 
 #include <filesystem>
+#include <functional>
+
+#include <opencv2/core/types.hpp>
 
 #include "cli/report.h"
 
@@ -16,7 +19,10 @@ struct FileInfo {
 /// @param pixels  also decode, for the statistics of each channel. @throws Error as media::read_info, read_picture.
 FileInfo picture_info(const std::filesystem::path& file, bool pixels);
 
+/// Tells the size of a picture file, px, as it stands upright.
+using SizeReader = std::function<cv::Size(const std::filesystem::path& file)>;
+
 /// @throws Error as project::load. A picture of the project that cannot be read is told, not thrown.
-FileInfo project_info(const std::filesystem::path& file);
+FileInfo project_info(const std::filesystem::path& file, const SizeReader& size_of);
 
 }  // namespace morphkit::cli

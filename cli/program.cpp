@@ -1,16 +1,17 @@
 #include "cli/program.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <new>
 
+#include <fcntl.h>
+
 #include <fmt/format.h>
-#include <opencv2/core.hpp>
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_compare.h"
@@ -42,10 +43,12 @@ constexpr const char* kFooter =
     "Exit codes: 0 done; 1 the work failed; 2 wrong usage; 3 bad input file; 4 could not read or write;\n"
     "            5 check or compare found something; 130 interrupted";
 
-/// The program with all its commands. They hold on to `session`.
+/// The program with all its commands, which refer to its members.
 class Program {
  public:
-  Program() {
+  explicit Program(const Works* works, const char* const* argv = nullptr) {
+    session.works = works;
+    session.argv = argv;
     Options options = line.options();
     add_common_options(options, session.common);
     for (const auto add : {add_edit, add_morph, add_warp, add_map, add_import, add_export, add_check, add_info,
@@ -64,11 +67,10 @@ void apply(const CommonOptions& common, Output& output) {
   } else if (common.verbose) {
     output.set_verbosity(Verbosity::kVerbose);
   }
-  if (common.threads > 0) set_threads(common.threads);
 }
 
-int parse_and_run(int argc, const char* const* argv, Output& output) {
-  Program program;
+int parse_and_run(int argc, const char* const* argv, const Works* works, Output& output) {
+  Program program(works, argv);
   int code = 0;
   try {
     const Action action = program.line.parse(argc, argv);
@@ -83,6 +85,14 @@ int parse_and_run(int argc, const char* const* argv, Output& output) {
   return code;
 }
 
+/// A standard stream that the caller has closed would hand its number to the first file that is opened, and messages
+/// would end up in a picture. Its place is taken by something that nothing can be written to.
+void hold_standard_streams() {
+  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) == -1) open("/dev/null", O_RDONLY | O_NOCTTY);
+  }
+}
+
 /// The one place where exceptions become messages and exit codes.
 int guarded(Output& output, const std::function<int()>& work) {
   const auto fail = [&output](ErrorCode code, std::string_view message) {
@@ -95,8 +105,6 @@ int guarded(Output& output, const std::function<int()>& work) {
     return fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kFailed, "out of memory");
-  } catch (const cv::Exception& error) {
-    return fail(ErrorCode::kFailed, error.code == cv::Error::StsNoMem ? "out of memory" : error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(ErrorCode::kIo, error.what());
   } catch (const std::exception& error) {
@@ -106,13 +114,16 @@ int guarded(Output& output, const std::function<int()>& work) {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv) noexcept {
+int run_program(int argc, const char* const* argv, const Works* works) noexcept {
+  hold_standard_streams();
+  // A reader that has gone away is a write error like any other, with its message and exit code.
+  std::signal(SIGPIPE, SIG_IGN);
   Output output(stdout, stderr, Verbosity::kNormal);
-  return guarded(output, [&] { return parse_and_run(argc, argv, output); });
+  return guarded(output, [&] { return parse_and_run(argc, argv, works, output); });
 }
 
 CommandShape program_shape() {
-  return Program().line.shape();
+  return Program(nullptr).line.shape();
 }
 
 }  // namespace morphkit::cli

@@ -45,13 +45,6 @@ const std::array kRecipes{
 
 }  // namespace
 
-std::vector<std::string> names() {
-  std::vector<std::string> result;
-  result.reserve(kRecipes.size());
-  for (const Recipe& recipe : kRecipes) result.emplace_back(recipe.name);
-  return result;
-}
-
 Sample paint(const std::string& name) {
   const auto* const recipe =
       std::find_if(kRecipes.begin(), kRecipes.end(), [&](const Recipe& r) { return r.name == name; });

@@ -177,6 +177,10 @@ RunResult run_program(const std::filesystem::path& program, const std::vector<st
   return result;
 }
 
+std::filesystem::path morphkit_program() {
+  return MORPHKIT_PROGRAM;
+}
+
 RunResult run_morphkit(const std::vector<std::string>& arguments, const RunOptions& options) {
   return run_program(MORPHKIT_PROGRAM, arguments, options);
 }

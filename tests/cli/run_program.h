@@ -33,4 +33,7 @@ RunResult run_program(const std::filesystem::path& program, const std::vector<st
 /// The same for the morphkit that was built with the tests.
 RunResult run_morphkit(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
+/// That program's file.
+std::filesystem::path morphkit_program();
+
 }  // namespace morphkit::test

@@ -1,0 +1,97 @@
+#include "cli/cmd_demo.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/words.h"
+#include "cli/cmd_morph.h"
+#include "cli/command_line.h"
+#include "cli/terminal.h"
+#include "samples/samples.h"
+#include "samples/write.h"
+
+namespace morphkit::cli {
+namespace {
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+int list_samples(Output& output) {
+  for (const std::string& name : samples::names()) {
+    output.line(fmt::format("{:<12} {}", name, samples::paint(name).title));
+  }
+  return 0;
+}
+
+std::vector<std::string> chosen_names(const DemoOptions& options) {
+  std::vector<std::string> names = samples::names();
+  if (options.all) return names;
+  if (options.name.empty()) return {names.front()};
+  if (std::find(names.begin(), names.end(), options.name) != names.end()) return {options.name};
+  const auto similar = nearest(options.name, names);
+  throw Error(ErrorCode::kUsage, "demo",
+              fmt::format("there is no sample '{}'; {}", options.name,
+                          similar ? fmt::format("did you mean '{}'?", *similar) : "morphkit demo --list names them"));
+}
+
+void say_what_to_see(const samples::Sample& sample, const std::filesystem::path& project_file,
+                     const std::filesystem::path& rendered, Output& output) {
+  output.line(fmt::format("{}: {}", sample.name, sample.title));
+  for (const samples::PaintedPicture& picture : sample.pictures) {
+    output.line(fmt::format("  {:<40} a picture", (project_file.parent_path() / picture.name).string()));
+  }
+  output.line(fmt::format("  {:<40} the project: what corresponds to what", project_file.string()));
+  output.line(fmt::format("  {:<40} the morph: watch this", rendered.string()));
+}
+
+void say_what_is_next(const std::filesystem::path& project_file, Output& output) {
+  const std::string file = project_file.string();
+  output.line("\nTry next:");
+  output.line(fmt::format("  morphkit edit {}", file));
+  output.line(fmt::format("  morphkit morph {} -t 0.5 -o middle.png", file));
+  output.line("  and with two pictures of your own: morphkit edit a.jpg b.jpg");
+}
+
+std::filesystem::path demo_one(const std::string& name, const DemoOptions& options, bool video, Output& output) {
+  const samples::Sample sample = samples::paint(name);
+  std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
+  MorphOptions morph;
+  morph.inputs = {project_file};
+  morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));
+  morph.frame_count = options.frame_count;
+  morph.overwrite = true;
+  const int code = run_morph(morph, output);
+  if (code != 0) throw Error(static_cast<ErrorCode>(code), name, "the demo could not be rendered");
+  say_what_to_see(sample, project_file, morph.output, output);
+  return project_file;
+}
+
+}  // namespace
+
+int run_demo(const DemoOptions& options, Output& output) {
+  if (options.list) return list_samples(output);
+  const std::vector<std::string> names = chosen_names(options);
+  const bool video = on_path("ffmpeg");
+  if (!video) output.warning("the program ffmpeg is not installed: writing numbered pictures instead of a video");
+  std::filesystem::path first;
+  for (const std::string& name : names) {
+    const std::filesystem::path project_file = demo_one(name, options, video, output);
+    if (first.empty()) first = project_file;
+  }
+  say_what_is_next(first, output);
+  return 0;
+}
+
+}  // namespace morphkit::cli

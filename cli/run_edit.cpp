@@ -1,0 +1,95 @@
+#include "cli/cmd_edit.h"
+
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/arguments.h"
+#include "cli/cmd_morph.h"
+#include "cli/command_line.h"
+#include "cli/edit/document/storage.h"
+#include "cli/edit/hand/editor.h"
+#include "cli/edit/view/layout.h"
+#include "cli/edit/window.h"
+#include "cli/terminal.h"
+
+namespace morphkit::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `path`, given from the current directory, as a project in `folder` names it.
+fs::path seen_from(const fs::path& folder, const fs::path& path) {
+  return path.is_absolute() ? path
+                            : fs::proximate(fs::absolute(path), fs::absolute(folder.empty() ? fs::path(".") : folder));
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
+/// @throws Error unless that side of a project shows this picture.
+void require_picture(const project::Project& project, const project::Picture& side, const fs::path& picture) {
+  std::error_code error;
+  if (!fs::exists(picture, error)) throw Error(ErrorCode::kIo, picture.string(), "does not exist");
+  if (!same_file(project::resolve(project, side.image), picture))
+    throw Error(ErrorCode::kUsage, project.file.string(),
+                fmt::format("is a project of other pictures ({}); name another file with -o", side.image.string()));
+}
+
+cv::Size window_size(const std::string& text) {
+  const cv::Size size = parse_size(text, "--window");
+  const cv::Size least = edit::kLeastCanvas;
+  if (size.width < least.width || size.height < least.height || size.width > 7680 || size.height > 4320)
+    throw Error(ErrorCode::kUsage, "--window",
+                fmt::format("{} is out of range; from {}x{} to 7680x4320", text, least.width, least.height));
+  return size;
+}
+
+}  // namespace
+
+project::Project project_to_edit(const EditOptions& options) {
+  project::Project project = project_from(options.inputs, options.features);
+  if (options.inputs.size() == 1) {
+    if (!options.output.empty())
+      throw Error(ErrorCode::kUsage, "--output", "goes with two pictures; a project is saved to its own file");
+    return project;
+  }
+  fs::path file = options.output;
+  if (file.empty()) file = options.inputs[0].stem().string() + "-" + options.inputs[1].stem().string() + ".json";
+  std::error_code error;
+  if (fs::exists(file, error)) {
+    if (!options.features.empty())
+      throw Error(ErrorCode::kUsage, "--features",
+                  fmt::format("{} is there already and has its own; name another file with -o", file.string()));
+    project::Project there = project::load(file);
+    require_picture(there, there.pictures[project::kSource], options.inputs[0]);
+    require_picture(there, there.pictures[project::kDestination], options.inputs[1]);
+    return there;
+  }
+  project.pictures[project::kSource].image = seen_from(file.parent_path(), project.pictures[project::kSource].image);
+  project.pictures[project::kDestination].image =
+      seen_from(file.parent_path(), project.pictures[project::kDestination].image);
+  project.file = file;
+  return project;
+}
+
+int run_edit(const EditOptions& options, Output& output) {
+  const cv::Size window = window_size(options.window);
+  project::Project project = project_to_edit(options);
+  edit::require_savable(project);
+  edit::require_display();
+  const render::Pictures pictures = render::load_pictures(project);
+  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
+  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+  warn_of_unused_settings(project, output);
+  output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
+  edit::Editor editor(std::move(project), pictures, window);
+  edit::run_window(editor);
+  return 0;
+}
+
+}  // namespace morphkit::cli

@@ -1,0 +1,188 @@
+#include "cli/cmd_morph.h"
+
+#include <array>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/arguments.h"
+#include "cli/command_line.h"
+#include "cli/frame_range.h"
+#include "cli/interrupt.h"
+#include "cli/report.h"
+#include "cli/terminal.h"
+#include "morph/media/frame_pattern.h"
+#include "morph/media/frame_sink.h"
+#include "morph/media/image_file.h"
+#include "morph/render/renderer.h"
+#include "morph/render/run.h"
+
+namespace morphkit::cli {
+namespace {
+
+void apply_overrides(const MorphOptions& options, project::Project& project) {
+  project::Output& output = project.output;
+  if (!options.size.empty()) output.size = parse_size(options.size);
+  if (!options.fit.empty()) output.fit = fit_names().at(options.fit);
+  if (!options.filter.empty()) project.warp.filter = filter_names().at(options.filter);
+  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
+  if (options.frame_count > 0) output.frames = options.frame_count;
+  if (!options.fps.empty()) output.fps = parse_fps(options.fps);
+}
+
+void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
+  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
+  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+  warn_of_unused_settings(project, output);
+  if (project::method_name_of(project) != project::MethodName::kLines) return;
+  if (const std::string note = unused_mesh_note(project); !note.empty())
+    output.warning(note);
+  else if (project.features.empty())
+    output.warning(
+        "there are no features, so this is a plain dissolve. To bend one picture into the other, mark what "
+        "corresponds: 'morphkit edit' opens a window for that; 'morphkit demo' writes a project file to copy from");
+}
+
+media::SinkOptions sink_options(const MorphOptions& options, const render::Renderer& renderer,
+                                std::shared_ptr<const media::Metadata> metadata) {
+  const project::Output& output = renderer.project().output;
+  media::SinkOptions sink;
+  sink.size = renderer.size();
+  sink.fps_num = output.fps.num;
+  sink.fps_den = output.fps.den;
+  sink.has_alpha = renderer.has_alpha();
+  sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
+  sink.image.depth = media::depth_from(options.depth);
+  sink.image.compression = options.compression;
+  sink.preset = options.preset;
+  // Resuming replaces what stands under a frame's name and is no frame.
+  sink.image.overwrite = options.overwrite || options.resume;
+  sink.image.metadata = std::move(metadata);
+  if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
+  return sink;
+}
+
+void refuse_to_overwrite(const media::FrameSink& sink, const std::vector<int>& frames, const MorphOptions& options) {
+  if (options.overwrite || options.resume) return;
+  const std::vector<std::filesystem::path> existing = sink.existing(frames);
+  if (existing.empty()) return;
+  throw Error(ErrorCode::kIo, existing.front().string(),
+              fmt::format("exists{}; use --overwrite to replace, or --resume to render only what is missing",
+                          existing.size() > 1 ? fmt::format(", and {} more", existing.size() - 1) : ""));
+}
+
+std::string size_text(cv::Size size) {
+  return fmt::format("{}x{}", size.width, size.height);
+}
+
+void say_what_was_done(const MorphOptions& options, const render::Renderer& renderer, const render::Progress& done,
+                       double elapsed_s, Output& output) {
+  if (options.json) {
+    Report report;
+    report.set("output", options.output.string()).set("width", renderer.size().width);
+    report.set("height", renderer.size().height).set("frames", done.done).set("skipped", done.skipped);
+    report.set("seconds", elapsed_s);
+    output.line(report.to_json());
+    return;
+  }
+  output.note(fmt::format("{}: {} {} of {}{} in {:.1f} s", options.output.string(), done.done,
+                          done.done == 1 ? "frame" : "frames", size_text(renderer.size()),
+                          done.skipped > 0 ? fmt::format(", {} were there already,", done.skipped) : "", elapsed_s));
+}
+
+int render_moment(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink,
+                  Output& output) {
+  if (!options.preset.empty())
+    throw Error(ErrorCode::kUsage, "--preset", "is for .mp4 and .webm; one picture has no presets");
+  media::check_write_options(options.output, sink.image);
+  const auto start = std::chrono::steady_clock::now();
+  media::write_image(options.output, renderer.frame(*options.t), sink.image);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  say_what_was_done(options, renderer, {1, 0, 1, 0}, elapsed.count(), output);
+  return 0;
+}
+
+int render_frames(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink_options,
+                  Output& output) {
+  const project::Output& out = renderer.project().output;
+  const int last = out.start + out.frames - 1;
+  render::RunOptions run;
+  run.frames = parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", out.start, last) : options.frames,
+                                 out.start, last);
+  run.resume = options.resume;
+  run.cancelled = interrupted;
+  const bool numbered = media::FramePattern::matches(options.output);
+  if (options.resume && !numbered && std::filesystem::exists(options.output)) {
+    output.note(options.output.string() + ": is complete, for it would not be there otherwise; nothing to resume");
+    return 0;
+  }
+  const auto sink = media::open_sink(options.output, sink_options, run.frames.size() == 1);
+  refuse_to_overwrite(*sink, run.frames, options);
+
+  const auto start = std::chrono::steady_clock::now();
+  render::Progress done;
+  {
+    ProgressBar bar(output, "frames");
+    run.on_progress = [&](const render::Progress& p) { bar.update(p.done, p.skipped, p.total); };
+    done = render::run(renderer, *sink, run);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  say_what_was_done(options, renderer, done, elapsed.count(), output);
+  return 0;
+}
+
+}  // namespace
+
+project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features) {
+  if (inputs.size() == 2) {
+    project::Project project;
+    project.pictures[project::kSource].image = inputs[0];
+    project.pictures[project::kDestination].image = inputs[1];
+    if (!features.empty()) project::load_features(project, features);
+    return project;
+  }
+  if (!features.empty())
+    throw Error(ErrorCode::kUsage, "--features", "goes with two pictures; a project has its own features");
+  if (media::is_image_extension(inputs.front()))
+    throw Error(ErrorCode::kUsage, inputs.front().string(),
+                "is one picture; give two pictures, or a project file that names them");
+  return project::load(inputs.front());
+}
+
+void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output) {
+  if (picture.nonfinite_pixels > 0)
+    output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there", file.string(),
+                               picture.nonfinite_pixels));
+}
+
+void warn_of_unused_settings(const project::Project& project, Output& output) {
+  for (const std::string& sentence : project::unused_settings(project)) output.warning(sentence);
+}
+
+std::string unused_mesh_note(const project::Project& project) {
+  if (!project.mesh || project::method_name_of(project) == project::MethodName::kMesh) return "";
+  return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
+}
+
+int run_morph(const MorphOptions& options, Output& output) {
+  if (options.t) require_moment(*options.t);
+  if (options.t && !options.frames.empty())
+    throw Error(ErrorCode::kUsage, "-t", "is one moment; it does not go with --frames");
+  if (options.resume && options.overwrite)
+    throw Error(ErrorCode::kUsage, "--resume", "keeps what is there and --overwrite replaces it; choose one");
+  project::Project project = project_from(options.inputs, options.features);
+  apply_overrides(options, project);
+  render::Pictures pictures = render::load_pictures(project);
+  say_what_was_read(project, pictures, output);
+  const auto metadata = pictures.source.metadata;
+  const render::Renderer renderer(std::move(project), pictures, {.allow_folds = options.allow_folds});
+  output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
+  const media::SinkOptions sink = sink_options(options, renderer, metadata);
+  return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
+}
+
+}  // namespace morphkit::cli

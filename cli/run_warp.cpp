@@ -1,0 +1,127 @@
+#include "cli/cmd_warp.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "cli/arguments.h"
+#include "cli/cmd_morph.h"
+#include "cli/command_line.h"
+#include "cli/interrupt.h"
+#include "cli/terminal.h"
+#include "morph/exchange/import.h"
+#include "morph/media/image_file.h"
+#include "morph/render/mesh_inbetween.h"
+#include "morph/render/mesh_morpher.h"
+#include "warp/mesh/mesh_warp.h"
+
+namespace morphkit::cli {
+namespace {
+
+bool is_project(const std::filesystem::path& file) {
+  return file.extension() == ".json";
+}
+
+/// The mesh of a project's side, brought from that side's picture to `frame`.
+warp::Mesh project_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame) {
+  const project::Project project = project::load(file);
+  if (!project.mesh) throw Error(ErrorCode::kBadInput, file.string(), "has no \"mesh\"");
+  const project::Picture& named = project.pictures[side];
+  const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
+  const cv::Size picture(info.width, info.height);
+  return render::brought_to(render::mesh_on(project, side, picture), picture, frame);
+}
+
+/// A mesh with what to call it in messages.
+struct NamedMesh {
+  warp::Mesh mesh;
+  std::string place;  ///< see render::require_unfolded
+};
+
+NamedMesh read_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame, Output& output) {
+  if (is_project(file))
+    return {project_mesh(file, side, frame), fmt::format("{}: /mesh/{}/", file.string(), render::name_of(side))};
+  std::vector<std::string> remarks;
+  NamedMesh named{exchange::read_xmorph_mesh(file, frame, remarks), file.string()};
+  for (const std::string& remark : remarks) output.note(remark);
+  return named;
+}
+
+NamedMesh from_mesh(const WarpOptions& options, const warp::Mesh& to, cv::Size image, Output& output) {
+  if (!options.from.empty()) return read_mesh(options.from, project::kSource, image, output);
+  if (is_project(options.mesh)) return read_mesh(options.mesh, project::kSource, image, output);
+  return {warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)}), options.mesh.string()};
+}
+
+void require_alike(const WarpOptions& options, const warp::Mesh& from, const warp::Mesh& to) {
+  if (from.columns == to.columns && from.rows == to.rows) return;
+  throw Error(ErrorCode::kBadInput, options.from.string(),
+              fmt::format("is a mesh of {} x {} vertices, but {} has {} x {}; both must be alike", from.columns,
+                          from.rows, options.mesh.string(), to.columns, to.rows));
+}
+
+void require_free(const WarpOptions& options) {
+  const auto real = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+  };
+  if (!options.intermediate.empty() && real(options.intermediate) == real(options.output))
+    throw Error(ErrorCode::kUsage, "--intermediate", "names the same file as --output");
+  for (const std::filesystem::path& file : {options.output, options.intermediate})
+    if (!options.overwrite && !file.empty() && std::filesystem::exists(file))
+      throw Error(ErrorCode::kIo, file.string(), "already exists; use --overwrite to replace it");
+}
+
+/// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
+warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size size, Output& output) {
+  const NamedMesh to = read_mesh(options.mesh, project::kDestination, size, output);
+  const NamedMesh from = from_mesh(options, to.mesh, image, output);
+  require_alike(options, from.mesh, to.mesh);
+  warp::MeshWarp warp(from.mesh, to.mesh, {spline_names().at(options.spline), order_names().at(options.order)});
+  const char* const order = render::text_of(warp.order());
+  if (!options.allow_folds) {
+    render::require_unfolded(from.mesh, "the mesh folds over", from.place);
+    render::require_unfolded(to.mesh, "the mesh folds over", to.place);
+    render::require_unfolded(warp::intermediate_mesh(from.mesh, to.mesh, warp.order()),
+                             fmt::format("the image turns too far for two passes, {}, and folds between them", order),
+                             options.mesh.string());
+  }
+  const double lost = warp::area_lost(from.mesh, to.mesh, warp.order());
+  const std::string text = fmt::format("{:.1f} % of the area is lost between the passes ({})", 100 * lost, order);
+  if (lost > render::kVisibleLoss)
+    output.warning(text + ": the image turns far and loses detail");
+  else
+    output.detail(fmt::format("mesh of {} x {} vertices; {}", to.mesh.columns, to.mesh.rows, text));
+  return warp;
+}
+
+}  // namespace
+
+int run_warp(const WarpOptions& options, Output& output) {
+  require_free(options);
+  const media::Picture picture = media::read_picture(options.image);
+  warn_of_nonfinite(options.image, picture, output);
+  const cv::Size size = options.size.empty() ? picture.image.size() : parse_size(options.size);
+  const warp::MeshWarp warp = mesh_warp(options, picture.image.size(), size, output);
+  stop_if_interrupted("nothing was written");
+
+  media::WriteOptions write;
+  write.alpha = picture.info.has_alpha || picture.nonfinite_pixels > 0;
+  write.depth = media::depth_from(options.depth);
+  write.overwrite = options.overwrite;
+  write.metadata = picture.metadata;
+  if (options.quality >= 0) write.quality = options.quality;
+  // A mesh reaches the borders of both images, so the edge goes on where rounding leaves a gap.
+  const warp::Image between = warp.first_pass(picture.image, size, warp::Border::kClamp);
+  stop_if_interrupted("nothing was written");
+  const warp::Image bent = warp.second_pass(between, size, warp::Border::kClamp);
+  stop_if_interrupted("nothing was written");
+  if (!options.intermediate.empty()) media::write_image(options.intermediate, between, write);
+  media::write_image(options.output, bent, write);
+  output.note(fmt::format("{}: {}x{}", options.output.string(), size.width, size.height));
+  return 0;
+}
+
+}  // namespace morphkit::cli
