@@ -73,11 +73,11 @@ void Cursor::fail_unknown(const std::string& what, std::string_view found,
                        : fmt::format("{} {}", allowed.size() == 1 ? "expected" : "expected one of", listed(allowed))));
 }
 
-void Cursor::allow_keys(std::initializer_list<std::string_view> allowed) const {
+void Cursor::allow_keys(std::span<const std::string_view> allowed) const {
   if (!is(Kind::kObject)) fail_expected("an object");
   for (std::size_t i = 0; i < node_->keys.size(); ++i) {
     if (std::find(allowed.begin(), allowed.end(), node_->keys[i]) == allowed.end()) {
-      item(i).fail_unknown("key", node_->keys[i], {allowed.begin(), allowed.size()});
+      item(i).fail_unknown("key", node_->keys[i], allowed);
     }
   }
 }

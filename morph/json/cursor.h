@@ -2,7 +2,6 @@
 // Reading a JSON tree with types, ranges and messages that name the place.
 
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,7 +36,7 @@ class Cursor {
 
   // Objects.
   /// Refuses keys that are not `allowed`, with the nearest one that is.
-  void allow_keys(std::initializer_list<std::string_view> allowed) const;
+  void allow_keys(std::span<const std::string_view> allowed) const;
   std::optional<Cursor> find(std::string_view key) const;
   /// @param why  the end of "<key> is missing: ...".
   Cursor require(std::string_view key, const std::string& why) const;

@@ -17,6 +17,8 @@ inline constexpr std::size_t kMaxValues = 4'000'000;
 
 enum class Kind { kNull, kBool, kNumber, kString, kArray, kObject };
 
+class Cursor;
+
 /// One value. Objects keep the order of their keys; a key occurs once.
 struct Node {
   Kind kind = Kind::kNull;
@@ -34,6 +36,10 @@ struct Node {
   bool expand = false;
   /// An array laid out with so many items on each line, however long; 0: as many as fit.
   std::size_t per_line = 0;
+  /// The key that tells the items of this array apart (`merge`); empty: their position does.
+  std::string_view identity = {};
+  /// Whether two spellings mean the same value (`merge`); null: if they are equal.
+  bool (*same)(const Cursor&, const Cursor&) = nullptr;
   /// A located container of the original text whose spacing this one imitates; must outlive it.
   const Node* model = nullptr;
 

@@ -6,14 +6,32 @@
 
 #include <fmt/format.h>
 
-#include "morph/project/limits.h"
-#include "morph/project/values.h"
+#include "morph/project/codecs.h"
 
 namespace morphkit::project {
 namespace {
 
 using json::Kind;
 using json::Node;
+
+/// A background that is a picture.
+struct BackgroundImage {
+  std::filesystem::path image;
+};
+
+template <typename F>
+void describe(F& form, Of<BackgroundImage>) {
+  form("image", &BackgroundImage::image,
+       {.what = "the path of an image", .needed = "name the picture that lies behind, e.g. {\"image\": \"sky.png\"}"},
+       "path of the picture that lies behind");
+}
+
+Node pattern_schema(const char* pattern) {
+  Node node = Node::object();
+  node.set("type", Node::string("string"));
+  node.set("pattern", Node::string(pattern));
+  return node;
+}
 
 constexpr const char* kFpsForms = "a frame rate such as 24, 29.97 or \"30000/1001\"";
 
@@ -102,49 +120,74 @@ std::optional<Rate> parse_rate(const std::string& text) {
   return rate && !too_fast(*rate) ? rate : std::nullopt;
 }
 
-Rate read_fps(const json::Cursor& at) {
+void Codec<Rate>::read(const json::Cursor& at, Rate& value, const Facts&) {
   if (at.is(Kind::kNumber)) {
-    const double value = at.node().number;
-    if (const auto rate = named_rate(value)) return *rate;
-    if (value != std::trunc(value)) at.fail_expected("a whole number or a fraction such as \"25/2\"");
-    return {at.integer(1, kMaxFps), 1};
+    const double number = at.node().number;
+    if (const auto rate = named_rate(number)) {
+      value = *rate;
+      return;
+    }
+    if (number != std::trunc(number)) at.fail_expected("a whole number or a fraction such as \"25/2\"");
+    value = {at.integer(1, kMaxFps), 1};
+    return;
   }
   if (!at.is(Kind::kString)) at.fail_expected(kFpsForms);
   const auto rate = parse_fraction(at.string());
   if (!rate) at.fail_expected(kFpsForms);
   if (too_fast(*rate)) at.fail_expected(fmt::format("at most {} frames per second", kMaxFps));
-  return *rate;
+  value = *rate;
 }
 
-Background read_background(const json::Cursor& at) {
+Node Codec<Rate>::write(const Rate& value, const Facts&, bool) {
+  if (value.den == 1) return Node::of_number(value.num);
+  return Node::string(fmt::format("{}/{}", value.num, value.den));
+}
+
+Node Codec<Rate>::schema(const Facts&) {
+  Node decimals = Node::array(), decimal = Node::object(), any = Node::array(), node = Node::object();
+  for (const auto& entry : kDecimalRates) decimals.push(Node::of_number(entry.first));
+  decimal.set("enum", std::move(decimals));
+  any.push(number_schema("integer", 1, kMaxFps));
+  any.push(std::move(decimal));
+  any.push(pattern_schema("^[0-9]{1,7}(/[0-9]{1,7})?$"));
+  node.set("anyOf", std::move(any));
+  return node;
+}
+
+void Codec<Background>::read(const json::Cursor& at, Background& value, const Facts&) {
   if (at.is(Kind::kObject)) {
-    at.allow_keys({"image"});
-    const json::Cursor image = at.require("image", "name the picture that lies behind, e.g. {\"image\": \"sky.png\"}");
-    return std::filesystem::path(image.name("the path of an image"));
+    BackgroundImage image;
+    read_object(at, image, kWhole<BackgroundImage>);
+    value = image.image;
+    return;
   }
   if (!at.is(Kind::kString) && !at.is(Kind::kArray)) {
     at.fail_expected("a colour such as \"#204060\", \"transparent\", or {\"image\": \"sky.png\"}");
   }
-  return read_color(at);
+  value = read_color(at);
 }
 
-json::Node fps_node(Rate rate) {
-  if (rate.den == 1) return Node::of_number(rate.num);
-  return Node::string(fmt::format("{}/{}", rate.num, rate.den));
-}
-
-json::Node background_node(const Background& background) {
-  if (const auto* path = std::get_if<std::filesystem::path>(&background)) {
-    Node node = Node::object();
-    node.set("image", Node::string(path->string()));
-    return node;
+Node Codec<Background>::write(const Background& value, const Facts&, bool defaults) {
+  if (const auto* path = std::get_if<std::filesystem::path>(&value)) {
+    return write_object(BackgroundImage{*path}, {}, defaults);
   }
-  const Color& color = std::get<Color>(background);
+  const Color& color = std::get<Color>(value);
   if (color == Color{}) return Node::string("transparent");
   if (const auto hex = hex_text(color)) return Node::string(*hex);
   Node node = Node::array();
   for (const double channel : {color.r, color.g, color.b}) node.push(Node::of_number(channel));
   if (color.a != 1) node.push(Node::of_number(color.a));
+  return node;
+}
+
+Node Codec<Background>::schema(const Facts&) {
+  static constexpr std::string_view kNames[] = {"transparent", "black", "white"};
+  Node any = Node::array(), node = Node::object();
+  any.push(strings_schema(kNames));
+  any.push(pattern_schema("^#([0-9a-fA-F]{6}|[0-9a-fA-F]{8})$"));
+  any.push(array_schema(number_schema("number", 0, 1), false, 3, 4));
+  any.push(object_schema<BackgroundImage>());
+  node.set("anyOf", std::move(any));
   return node;
 }
 

@@ -2,32 +2,11 @@
 
 #include <algorithm>
 
+#include "morph/project/describe.h"
+#include "morph/project/form_values.h"
+
 namespace morphkit::project {
 namespace {
-
-template <typename T>
-void fill(std::optional<T>& value, const std::optional<T>& fallback) {
-  if (!value) value = fallback;
-}
-
-/// Fills what `nearer` leaves open.
-void fall_back(Pull& nearer, const Pull& farther) {
-  fill(nearer.a, farther.a);
-  fill(nearer.b, farther.b);
-  fill(nearer.p, farther.p);
-  fill(nearer.scale, farther.scale);
-  fill(nearer.between, farther.between);
-  fill(nearer.turns, farther.turns);
-}
-
-void fall_back(Pace& nearer, const Pace& farther) {
-  fill(nearer.shape, farther.shape);
-  fill(nearer.dissolve, farther.dissolve);
-}
-
-const Pull kUsualPull{
-    .a = 1, .b = 2, .p = 0, .scale = warp::LineScale::kAlong, .between = Between::kEndpoints, .turns = 0};
-const Pace kUsualPace{.shape = motion::Timing{}, .dissolve = motion::Timing{}};
 
 /// What `member` of the group says; nothing if there is no such group.
 template <typename T>
@@ -35,12 +14,6 @@ T of_group(const Project& project, const std::string& group, T Group::*member) {
   if (group.empty()) return {};
   const auto found = std::ranges::find(project.groups, group, &Group::id);
   return found != project.groups.end() ? (*found).*member : T{};
-}
-
-template <typename T>
-T resolved(T nearer, const T& farther) {
-  fall_back(nearer, farther);
-  return nearer;
 }
 
 }  // namespace
@@ -51,27 +24,27 @@ std::filesystem::path resolve(const Project& project, const std::filesystem::pat
 }
 
 Pull effective_pull(const Project& project) {
-  return resolved(project.pull, kUsualPull);
+  return with_defaults(project.pull);
 }
 
 Pace effective_pace(const Project& project) {
-  return resolved(project.pace, kUsualPace);
+  return with_defaults(project.pace);
 }
 
 Pull effective_pull(const Project& project, const std::string& group) {
-  return resolved(of_group(project, group, &Group::pull), effective_pull(project));
+  return inherited(of_group(project, group, &Group::pull), effective_pull(project));
 }
 
 Pace effective_pace(const Project& project, const std::string& group) {
-  return resolved(of_group(project, group, &Group::pace), effective_pace(project));
+  return inherited(of_group(project, group, &Group::pace), effective_pace(project));
 }
 
 Pull effective_pull(const Project& project, const Feature& feature) {
-  return resolved(feature.pull, effective_pull(project, feature.group));
+  return inherited(feature.pull, effective_pull(project, feature.group));
 }
 
 Pace effective_pace(const Project& project, const Feature& feature) {
-  return resolved(feature.pace, effective_pace(project, feature.group));
+  return inherited(feature.pace, effective_pace(project, feature.group));
 }
 
 bool same_document(const Project& a, const Project& b) {

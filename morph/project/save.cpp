@@ -5,8 +5,8 @@
 
 #include "base/atomic_file.h"
 #include "morph/json/json.h"
+#include "morph/json/merge.h"
 #include "morph/project/build.h"
-#include "morph/project/merge.h"
 #include "morph/project/project.h"
 
 namespace morphkit::project {
@@ -16,7 +16,7 @@ std::string to_text(const Project& project) {
   const std::string name = project.file.string();
   json::Document original{name, json::parse(*project.original, name)};
   json::locate(original.root, *project.original);
-  return json::write(merge(original, build(project, true), minimal), *project.original);
+  return json::write(json::merge(original, build(project, true), minimal), *project.original);
 }
 
 void save(const Project& project, const std::filesystem::path& file, bool overwrite) {

@@ -113,23 +113,26 @@ TEST(Schema, AcceptsEveryMutationThatLoads) {
 
 TEST(Schema, StatesTheLoadersLimits) {
   const json schema = json::parse(schema_text());
-  const auto at = [&](const char* pointer) { return schema.at(json::json_pointer(pointer)); };
+  const auto at = [&](const std::string& pointer) { return schema.at(json::json_pointer(pointer)); };
+  const std::string feature = "/properties/features/items/properties", mesh = "/properties/mesh/properties",
+                    output = "/properties/output/properties",
+                    point = feature + "/point/properties/source/prefixItems/0";
   EXPECT_EQ(at("/properties/features/maxItems"), kMaxFeatures);
   EXPECT_EQ(at("/properties/groups/maxItems"), kMaxFeatures);
-  EXPECT_EQ(at("/$defs/points/maxItems"), kMaxPoints);
-  EXPECT_EQ(at("/$defs/count/maximum"), kMaxMeshSize);
-  EXPECT_EQ(at("/$defs/index/maximum"), kMaxMeshSize - 1);
-  EXPECT_EQ(at("/$defs/vertices/anyOf/1/maxItems"), kMaxMeshVertices);
-  EXPECT_EQ(at("/$defs/meshGroup/properties/vertices/maxItems"), kMaxMeshVertices);
-  EXPECT_EQ(at("/properties/mesh/properties/groups/maxItems"), kMaxFeatures);
-  EXPECT_EQ(at("/$defs/coordinate/minimum"), -kMaxCoordinate);
-  EXPECT_EQ(at("/$defs/coordinate/maximum"), kMaxCoordinate);
-  EXPECT_EQ(at("/$defs/extent/maximum"), kMaxSize);
-  EXPECT_EQ(at("/$defs/turns/maximum"), kMaxTurns);
-  EXPECT_EQ(at("/$defs/b/maximum"), kMaxFalloff);
-  EXPECT_EQ(at("/properties/output/properties/frames/maximum"), kMaxFrames);
-  EXPECT_EQ(at("/properties/output/properties/start/maximum"), kMaxStart);
-  EXPECT_EQ(at("/properties/output/properties/fps/anyOf/0/maximum"), kMaxFps);
+  EXPECT_EQ(at(feature + "/curve/properties/source/maxItems"), kMaxPoints);
+  EXPECT_EQ(at(mesh + "/size/prefixItems/0/maximum"), kMaxMeshSize);
+  EXPECT_EQ(at(mesh + "/groups/items/properties/vertices/items/prefixItems/0/maximum"), kMaxMeshSize - 1);
+  EXPECT_EQ(at(mesh + "/source/anyOf/1/maxItems"), kMaxMeshVertices);
+  EXPECT_EQ(at(mesh + "/groups/items/properties/vertices/maxItems"), kMaxMeshVertices);
+  EXPECT_EQ(at(mesh + "/groups/maxItems"), kMaxFeatures);
+  EXPECT_EQ(at(point + "/minimum"), -kMaxCoordinate);
+  EXPECT_EQ(at(point + "/maximum"), kMaxCoordinate);
+  EXPECT_EQ(at(output + "/size/prefixItems/0/maximum"), kMaxSize);
+  EXPECT_EQ(at("/properties/warp/properties/turns/maximum"), kMaxTurns);
+  EXPECT_EQ(at("/properties/warp/properties/b/maximum"), kMaxFalloff);
+  EXPECT_EQ(at(output + "/frames/maximum"), kMaxFrames);
+  EXPECT_EQ(at(output + "/start/maximum"), kMaxStart);
+  EXPECT_EQ(at(output + "/fps/anyOf/0/maximum"), kMaxFps);
 }
 
 void collect_names(const json& schema, std::set<std::string>& names) {

@@ -1,17 +1,12 @@
-#include "morph/project/merge.h"
+#include "morph/json/merge.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "morph/project/values.h"
-
-namespace morphkit::project {
+namespace morphkit::json {
 namespace {
-
-using json::Kind;
-using json::Node;
 
 /// What has a place in the original keeps it, so that the text around it can be kept.
 void take_place(Node& node, const Node& original) {
@@ -20,23 +15,23 @@ void take_place(Node& node, const Node& original) {
   node.end = original.end;
 }
 
-/// The name by which an item of a list is known: of a feature or a group its id, of vertices their group.
-std::string_view identity(const Node& item) {
-  const Node* id = item.find("id");
-  return id ? id->text : item.find("group")->text;
+/// The name by which an item of a list is known.
+std::string_view identity(const Node& item, std::string_view key) {
+  const Node* name = item.find(key);
+  return name ? std::string_view(name->text) : std::string_view();
 }
 
 class Merger {
  public:
-  explicit Merger(const json::Document& document) : document_(document) {}
+  explicit Merger(const Document& document) : document_(document) {}
 
-  Node value(std::string_view key, const Node& original, const Node& full, const Node& minimal) const {
-    if (same_meaning(key, original, full)) return original;
+  Node value(const Node& original, const Node& full, const Node& minimal) const {
+    if (same_meaning(original, full)) return original;
     Node result;
     if (original.is(Kind::kObject) && full.is(Kind::kObject)) {
       result = object(original, full, minimal.is(Kind::kString) ? spelled_out(full, minimal) : minimal);
     } else if (original.is(Kind::kArray) && full.is(Kind::kArray)) {
-      result = key == "features" || key == "groups" ? list(original, full, minimal) : array(original, full, minimal);
+      result = full.identity.empty() ? array(original, full, minimal) : list(original, full, minimal);
     } else {
       result = minimal;
     }
@@ -46,15 +41,11 @@ class Merger {
 
  private:
   /// Whether the original says, perhaps in other words, what is to be said.
-  bool same_meaning(std::string_view key, const Node& original, const Node& full) const {
-    if (json::same_value(original, full)) return true;
-    const bool has_spellings = key == "shape" || key == "dissolve" || key == "fps" || key == "background";
-    if (!has_spellings) return false;
-    const json::Document wanted{document_.file, full};
-    const json::Cursor before(document_, original), after(wanted);
-    if (key == "fps") return read_fps(before) == read_fps(after);
-    if (key == "background") return read_background(before) == read_background(after);
-    return read_timing(before) == read_timing(after);
+  bool same_meaning(const Node& original, const Node& full) const {
+    if (same_value(original, full)) return true;
+    if (!full.same) return false;
+    const Document wanted{document_.file, full};
+    return full.same(Cursor(document_, original), Cursor(wanted));
   }
 
   Node object(const Node& original, const Node& full, const Node& minimal) const {
@@ -66,7 +57,7 @@ class Merger {
       // What is an object in full and nothing in brief has only defaults, none of which is to be added.
       const Node* brief = minimal.find(key);
       if (!brief) brief = complete->is(Kind::kObject) ? &nothing_ : complete;
-      result.set(key, value(key, original.items[i], *complete, *brief));
+      result.set(key, value(original.items[i], *complete, *brief));
     }
     const bool same_keys = result.items.size() == original.items.size();
     const bool added = add_new_keys(result, full, minimal);
@@ -110,7 +101,7 @@ class Merger {
     for (std::size_t i = 0; i < full.items.size(); ++i) {
       const bool both = i < minimal.items.size();
       const Node& brief = both ? minimal.items[i] : full.items[i];
-      result.push(i < original.items.size() ? value("", original.items[i], full.items[i], brief) : brief);
+      result.push(i < original.items.size() ? value(original.items[i], full.items[i], brief) : brief);
     }
     result.fresh = full.items.size() != original.items.size();
     result.model = &original;
@@ -121,21 +112,22 @@ class Merger {
   /// one that stood in its place.
   Node list(const Node& original, const Node& full, const Node& minimal) const {
     std::map<std::string_view, std::size_t> by_id, wanted;
-    for (std::size_t i = 0; i < original.items.size(); ++i) by_id.emplace(identity(original.items[i]), i);
-    for (std::size_t i = 0; i < full.items.size(); ++i) wanted.emplace(identity(full.items[i]), i);
+    for (std::size_t i = 0; i < original.items.size(); ++i)
+      by_id.emplace(identity(original.items[i], full.identity), i);
+    for (std::size_t i = 0; i < full.items.size(); ++i) wanted.emplace(identity(full.items[i], full.identity), i);
     Node result = Node::array();
     bool same_order = full.items.size() == original.items.size();
     for (std::size_t i = 0; i < full.items.size(); ++i) {
-      const auto found = by_id.find(identity(full.items[i]));
-      const bool renamed =
-          found == by_id.end() && i < original.items.size() && !wanted.contains(identity(original.items[i]));
+      const auto found = by_id.find(identity(full.items[i], full.identity));
+      const bool renamed = found == by_id.end() && i < original.items.size() &&
+                           !wanted.contains(identity(original.items[i], full.identity));
       if (found == by_id.end() && !renamed) {
         result.push(minimal.items[i]);
         same_order = false;
         continue;
       }
       const std::size_t before = renamed ? i : found->second;
-      result.push(value("", original.items[before], full.items[i], minimal.items[i]));
+      result.push(value(original.items[before], full.items[i], minimal.items[i]));
       same_order = same_order && before == i;
     }
     result.fresh = !same_order;
@@ -144,14 +136,14 @@ class Merger {
     return result;
   }
 
-  const json::Document& document_;
+  const Document& document_;
   const Node nothing_ = Node::object();
 };
 
 }  // namespace
 
-json::Node merge(const json::Document& original, const json::Node& full, const json::Node& minimal) {
-  return Merger(original).value("", original.root, full, minimal);
+Node merge(const Document& original, const Node& full, const Node& minimal) {
+  return Merger(original).value(original.root, full, minimal);
 }
 
-}  // namespace morphkit::project
+}  // namespace morphkit::json

@@ -1,0 +1,55 @@
+#pragma once
+// The visitor over values alone: inheritance. Internal to morph/project.
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+
+#include "morph/project/form.h"
+
+namespace morphkit::project {
+
+/// Fills what `nearer` leaves open by what `farther` says, or by the defaults of the form.
+template <typename Owner>
+class Inherit : public Form<Inherit<Owner>, Owner> {
+ public:
+  /// @param farther  nothing: the defaults.
+  Inherit(Owner& nearer, const Owner* farther) : nearer_(nearer), farther_(farther) {}
+
+  template <typename AnyCodec, typename Access>
+  void key(std::string_view, const Access& access, const Facts& facts, std::string_view) {
+    auto& value = std::invoke(access, nearer_);
+    if (value) return;
+    if (farther_) {
+      value = std::invoke(access, *farther_);
+      return;
+    }
+    using Inner = typename std::remove_cvref_t<decltype(value)>::value_type;
+    if constexpr (std::is_arithmetic_v<Inner>) {
+      value = static_cast<Inner>(facts.usual);
+    } else {
+      value = Inner{};
+    }
+  }
+
+ private:
+  Owner& nearer_;
+  const Owner* farther_;
+};
+
+template <typename T>
+T inherited(T nearer, const T& farther) {
+  Inherit<T> form(nearer, &farther);
+  describe(form, Of<T>{});
+  return nearer;
+}
+
+template <typename T>
+T with_defaults(T value) {
+  Inherit<T> form(value, nullptr);
+  describe(form, Of<T>{});
+  return value;
+}
+
+}  // namespace morphkit::project
