@@ -56,11 +56,13 @@ constexpr std::string_view kExitCodes = "Exit codes: ";
 
 Help split(const ManPage& page) {
   Help help;
+  bool is_above_usage = true;
   std::istringstream stream(page.help);
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with(kUsage)) {
       help.usage = without_indent(line.substr(std::min(kUsage.size() + page.command.size(), line.size())));
-    } else if (help.usage.empty()) {
+      is_above_usage = false;
+    } else if (is_above_usage) {
       help.description += (help.description.empty() ? "" : " ") + line;
     } else if (line.starts_with(kExitCodes)) {
       help.sections.push_back({"Exit status", {line.substr(kExitCodes.size())}});
