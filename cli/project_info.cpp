@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cli/file_info.h"
+#include "morph/project/clock.h"
 #include "morph/project/project.h"
 
 namespace morphkit::cli {
@@ -80,9 +81,9 @@ void add_features(const project::Project& project, FileInfo& info) {
 void add_output(const project::Output& output, FileInfo& info) {
   const std::string size =
       output.size ? fmt::format("{}x{}", output.size->width, output.size->height) : "the size of the source";
-  const double duration_s = static_cast<double>(output.frames) * output.fps.den / output.fps.num;
+  const project::Clock clock(output);
   info.text += fmt::format("  output       {}, {}; frames {}-{} at {} fps ({:.2f} s)\n", size, fit_name(output.fit),
-                           output.start, output.start + output.frames - 1, fps_text(output), duration_s);
+                           clock.first(), clock.last(), fps_text(output), clock.duration_s());
   Report report;
   if (output.size) report.set("width", output.size->width).set("height", output.size->height);
   report.set("fit", fit_name(output.fit)).set("frames", output.frames).set("start", output.start);

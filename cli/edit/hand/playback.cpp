@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "morph/project/clock.h"
+
 namespace morphkit::edit {
 namespace {
 
@@ -12,9 +14,8 @@ constexpr double kSlowest = 0.25, kFastest = 4;
 
 void Playback::tick(double seconds) {
   if (!model_.playing) return;
-  const project::Output& output = model_.document.project().output;
-  const double length_s = std::max(1, output.frames - 1) * static_cast<double>(output.fps.den) / output.fps.num;
-  double t = model_.t + direction_ * seconds * model_.speed / length_s;
+  const double span_s = project::Clock(model_.document.project().output).span_s();
+  double t = model_.t + direction_ * seconds * model_.speed / span_s;
   if (t > 1) direction_ = -1;
   if (t < 0) direction_ = 1;
   // Reflected at both ends, as often as it takes.
@@ -25,9 +26,7 @@ void Playback::tick(double seconds) {
 
 void Playback::step(int frames) {
   model_.playing = false;
-  const int last = std::max(1, model_.document.project().output.frames - 1);
-  const double frame = std::round(model_.t * last) + frames;
-  model_.t = std::clamp(frame / last, 0.0, 1.0);
+  model_.t = project::Clock(model_.document.project().output).stepped(model_.t, frames).t;
 }
 
 void Playback::go_to(double t) {

@@ -10,6 +10,7 @@
 
 #include "cli/edit/view/paint.h"
 #include "cli/edit/view/picking.h"
+#include "morph/project/clock.h"
 
 namespace morphkit::edit {
 namespace {
@@ -153,8 +154,7 @@ void draw_chrome(cv::Mat3b& canvas, const Model& model, const Layout& layout, co
   scribe.left(target, selection_text(model), palette::kQuiet);
   cv::Rect moment = layout.time;
   moment.width -= scribe.px(68);
-  const project::Output& output = model.document.project().output;
-  const double frame = output.start + model.t * std::max(0, output.frames - 1);
+  const double frame = project::Clock(model.document.project().output).at(model.t).frame;
   scribe.right(moment, fmt::format("t {:.3f}  frame {:.0f}", model.t, frame), palette::kText);
   draw_status(scribe, model, preview);
 }
