@@ -25,6 +25,7 @@
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/media/frame_sink.h"
+#include "morph/render/compose.h"
 #include "morph/render/dissolve.h"
 #include "morph/render/renderer.h"
 
@@ -147,17 +148,6 @@ Material make_material(const BenchOptions& options) {
   return material;
 }
 
-/// Samples a picture as a frame does: in bands, into memory that is there.
-void sample(const render::StageSide& side, warp::Filter filter, const warp::Map& map, warp::Image& out) {
-  for_rows(
-      out.rows,
-      [&](int begin, int end) {
-        warp::Image band = out.rowRange(begin, end);
-        warp::sample_band(side.image, map.rowRange(begin, end), {filter, side.border}, band);
-      },
-      warp::kSampleBand);
-}
-
 /// The parts of a frame, each over a whole frame by itself; `frame` does them together, band by band.
 void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timings) {
   using project::kDestination;
@@ -166,15 +156,13 @@ void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timing
   timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, kSource); }), ""});
 
   const render::Stage& stage = renderer.stage();
-  warp::Map to_source = renderer.map(kMoment, kSource);
-  warp::Map to_destination = renderer.map(kMoment, kDestination);
-  render::bring_to_held(stage.source, to_source);
-  render::bring_to_held(stage.destination, to_destination);
+  const warp::Map to_source = renderer.map(kMoment, project::kSource, render::Pixels::kHeld);
+  const warp::Map to_destination = renderer.map(kMoment, project::kDestination, render::Pixels::kHeld);
   const warp::Filter filter = renderer.project().warp.filter;
   warp::Image source(renderer.size()), destination(renderer.size());
   const double sampling_ms = median_ms([&] {
-    sample(stage.source, filter, to_source, source);
-    sample(stage.destination, filter, to_destination, destination);
+    render::sample_side(stage.sides[project::kSource], to_source, filter, source);
+    render::sample_side(stage.sides[project::kDestination], to_destination, filter, destination);
   });
   timings.push_back({"sampling", "sampling", sampling_ms, "both pictures"});
 

@@ -26,8 +26,8 @@ void write_moment(const MapOptions& options, const render::Renderer& renderer, d
 }
 
 int write_frames(const MapOptions& options, const render::Renderer& renderer, Output& output) {
-  const project::Output& out = renderer.project().output;
-  const std::vector<int> frames = parse_frame_range(options.frames, out.start, out.start + out.frames - 1);
+  const project::Clock clock = renderer.clock();
+  const std::vector<int> frames = parse_frame_range(options.frames, clock.first(), clock.last());
   const media::FramePattern pattern(options.output);
   ProgressBar bar(output, "maps");
   int done = 0;

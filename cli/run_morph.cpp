@@ -108,11 +108,10 @@ int render_moment(const MorphOptions& options, const render::Renderer& renderer,
 
 int render_frames(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink_options,
                   Output& output) {
-  const project::Output& out = renderer.project().output;
-  const int last = out.start + out.frames - 1;
+  const int first = renderer.clock().first(), last = renderer.clock().last();
   render::RunOptions run;
-  run.frames = parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", out.start, last) : options.frames,
-                                 out.start, last);
+  run.frames =
+      parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", first, last) : options.frames, first, last);
   run.resume = options.resume;
   run.cancelled = interrupted;
   const bool numbered = media::FramePattern::matches(options.output);

@@ -15,7 +15,7 @@
 #include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
 #include "morph/render/mesh_inbetween.h"
-#include "morph/render/mesh_morpher.h"
+#include "morph/render/mesh_warper.h"
 #include "warp/mesh/mesh_warp.h"
 
 namespace morphkit::cli {

@@ -80,7 +80,8 @@ class LineChecker {
   LineChecker(const Renderer& renderer, std::vector<Finding>& findings)
       : renderer_(renderer),
         features_(renderer.project().features),
-        pairs_(line_pairs(renderer.project(), renderer.stage().source.file, renderer.stage().destination.file)),
+        pairs_(line_pairs(renderer.project(), renderer.stage().sides[kSource].file,
+                          renderer.stage().sides[kDestination].file)),
         findings_(findings) {}
 
   void run() {
@@ -203,7 +204,7 @@ std::vector<std::string> nearest_features(const Renderer& renderer, cv::Point2d 
   const std::vector<project::Feature>& features = renderer.project().features;
   std::vector<std::pair<double, int>> distances;
   for (const LinePair& pair :
-       line_pairs(renderer.project(), renderer.stage().source.file, renderer.stage().destination.file))
+       line_pairs(renderer.project(), renderer.stage().sides[kSource].file, renderer.stage().sides[kDestination].file))
     distances.emplace_back(distance_to(between(pair, motion::progress(*pair.pace.shape, t)), position), pair.feature);
   std::sort(distances.begin(), distances.end());
   std::vector<std::string> ids;

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/render/mesh_morpher.h"
+#include "morph/render/mesh_warper.h"
 
 namespace morphkit::render {
 namespace {
@@ -48,7 +48,7 @@ void find_mesh_folds(const MeshPair& pair, std::vector<Finding>& findings) {
 
 void find_bottleneck(const project::Project& project, const MeshPair& pair, SideIndex side,
                      std::vector<Finding>& findings) {
-  const MeshPasses passes = choose_passes(project, pair, side);
+  const MeshPasses passes = choose_passes(project.warp.mesh.order, pair, side);
   if (passes.folds == 0 && passes.area_lost < kVisibleLoss) return;
   Finding finding;
   finding.kind = Finding::Kind::kBottleneck;

@@ -51,13 +51,13 @@ warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
 MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
   const project::Mesh& mesh = *project.mesh;
   MeshPair pair;
-  pair.source_file = mesh_on(project, kSource, stage.source.file_size);
-  pair.destination_file = mesh_on(project, kDestination, stage.destination.file_size);
-  pair.source_held = brought_to(pair.source_file, stage.source.file_size, stage.source.image.size());
+  pair.source_file = mesh_on(project, kSource, stage.sides[kSource].file_size);
+  pair.destination_file = mesh_on(project, kDestination, stage.sides[kDestination].file_size);
+  pair.source_held = brought_to(pair.source_file, stage.sides[kSource].file_size, stage.sides[kSource].image.size());
   pair.destination_held =
-      brought_to(pair.destination_file, stage.destination.file_size, stage.destination.image.size());
-  pair.source_canvas = on_canvas(pair.source_file, stage.source.file);
-  pair.destination_canvas = on_canvas(pair.destination_file, stage.destination.file);
+      brought_to(pair.destination_file, stage.sides[kDestination].file_size, stage.sides[kDestination].image.size());
+  pair.source_canvas = on_canvas(pair.source_file, stage.sides[kSource].file);
+  pair.destination_canvas = on_canvas(pair.destination_file, stage.sides[kDestination].file);
   pair.timings.push_back(project::effective_pace(project));
   pair.timing.assign(pair.source_file.vertices.size(), 0);
   for (const project::MeshGroup& group : mesh.groups) {

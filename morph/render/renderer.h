@@ -5,9 +5,10 @@
 #include <optional>
 #include <span>
 
+#include "morph/project/clock.h"
 #include "morph/project/project.h"
-#include "morph/render/morpher.h"
 #include "morph/render/stage.h"
+#include "morph/render/warper.h"
 #include "warp/image/image.h"
 
 namespace morphkit::render {
@@ -21,52 +22,60 @@ class Renderer {
  public:
   /// @throws Error kBadInput if the project's mesh does not fit its pictures, or folds and must not.
   Renderer(project::Project project, const Pictures& pictures, const RendererOptions& options = {});
+
+  /// On a stage that is there already, such as one that shows a view of the canvas; renderers may share it.
+  /// @param stage  of a project that has the same pictures and output, and the same border.
+  Renderer(project::Project project, std::shared_ptr<const Stage> stage, const RendererOptions& options = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
 
-  cv::Size size() const noexcept { return body_->stage.size; }  ///< of the canvas, px
-  bool has_alpha() const noexcept { return has_alpha_; }        ///< whether a frame may be transparent
+  cv::Size size() const noexcept { return stage().size; }  ///< of the canvas, px
+  /// Whether a frame may be transparent; true if only the stage is known.
+  bool has_alpha() const noexcept { return has_alpha_; }
   const project::Project& project() const noexcept { return body_->project; }
-  const Stage& stage() const noexcept { return body_->stage; }
+  const Stage& stage() const noexcept { return *body_->stage; }
 
-  /// t of a frame number: 0 at the first, 1 at the last; 0 if there is only one.
-  double time_of(int frame) const noexcept;
+  project::Clock clock() const noexcept { return project::Clock(project().output); }
+  double time_of(int frame) const noexcept { return clock().at_frame(frame).t; }
 
-  cv::Size picture_size(SideIndex side) const noexcept { return stage().side(side).file_size; }  ///< of the file, px
-  const Placement& placement(SideIndex side) const noexcept { return stage().side(side).file; }
+  cv::Size picture_size(SideIndex side) const noexcept { return stage().sides[side].file_size; }  ///< of the file, px
+  const Placement& placement(SideIndex side) const noexcept { return stage().sides[side].file; }
 
   /// @throws Error kBadInput if the moment t cannot be rendered, naming what is in the way. Cost: O(vertices).
-  void require(double t) const { morpher_->require(t); }
+  void require(double t) const { plan_->require(t); }
 
   /// The frame at t in [0, 1]; parallel over rows. t = 0 and 1 give the pictures bit for bit where the canvas has
   /// their size and nothing shows behind them. Memory: frame_bytes(). @throws Error as `require`.
   warp::Image frame(double t) const;
 
+  /// One picture at t as the frame shows it, without the others and without the background. @throws Error as `require`.
+  warp::Image side(double t, SideIndex side) const;
+
   /// What one call of `frame` takes, its result included.
   std::size_t frame_bytes() const;
 
   /// Whether anything of that side's picture is in the frame at t, if the other one covers the canvas.
-  bool shows(SideIndex side, double t) const { return morpher_->shows(side, t); }
+  bool shows(SideIndex side, double t) const { return plan_->dissolve(t).shows(side); }
 
-  /// Source positions for every canvas pixel at t, px of that side's image file.
-  warp::Map map(double t, SideIndex side) const { return morpher_->map(t, side); }
+  /// Positions in that side's picture for every canvas pixel at t. Folds of lines show as they are; what is out of
+  /// order in a mesh is squashed, as in the frame.
+  warp::Map map(double t, SideIndex side, Pixels pixels = Pixels::kFile) const {
+    return plan_->at(t)->map(side, pixels);
+  }
 
   /// What does the work, in a few words for --verbose.
-  std::string description() const { return morpher_->description(); }
+  std::string description() const { return plan_->label(); }
 
  private:
-  /// What the morpher refers to: stays where it is when the renderer moves.
+  /// What the plan refers to: stays where it is when the renderer moves.
   struct Body {
     project::Project project;
-    Stage stage;
+    std::shared_ptr<const Stage> stage;
   };
 
-  void make_background(const std::optional<media::Picture>& picture);
-
   std::unique_ptr<const Body> body_;
-  std::unique_ptr<const Morpher> morpher_;
-  bool has_alpha_ = false;
-  warp::Image background_;  ///< empty: nothing behind; 1x1: a colour; else of canvas size
+  std::unique_ptr<const Plan> plan_;
+  bool has_alpha_ = true;
 };
 
 }  // namespace morphkit::render

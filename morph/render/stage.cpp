@@ -7,6 +7,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "warp/image/color.h"
+
 namespace morphkit::render {
 namespace {
 
@@ -54,18 +56,36 @@ ScaledPicture unscaled(const media::Picture& picture) {
   return {picture.image.size(), [&](double) { return picture.image; }};
 }
 
+warp::Pixel premultiplied(const project::Color& color) {
+  const auto alpha = static_cast<float>(color.a);
+  return {warp::linear_from_srgb(static_cast<float>(color.r)) * alpha,
+          warp::linear_from_srgb(static_cast<float>(color.g)) * alpha,
+          warp::linear_from_srgb(static_cast<float>(color.b)) * alpha, alpha};
+}
+
+/// What lies behind a view of the canvas, as Stage::behind.
+warp::Image background_of(const project::Project& project, const std::optional<ScaledPicture>& picture, cv::Size canvas,
+                          const CanvasView& view) {
+  if (const auto* color = std::get_if<project::Color>(&project.output.background))
+    return color->a > 0 ? warp::Image(1, 1, premultiplied(*color)) : warp::Image();
+  if (!picture) return {};
+  const Placement placement = seen(place(picture->size, canvas, project::Fit::kCover), view);
+  const warp::Image image = picture->at(std::max(placement.scale.x, placement.scale.y));
+  const cv::Point2d held(static_cast<double>(image.cols) / picture->size.width,
+                         static_cast<double>(image.rows) / picture->size.height);
+  warp::Map map(view.size);
+  for (int y = 0; y < map.rows; ++y)
+    for (int x = 0; x < map.cols; ++x) {
+      const cv::Point2d position = placement.to_image({x + 0.5, y + 0.5});
+      map(y, x) = {static_cast<float>(position.x * held.x), static_cast<float>(position.y * held.y)};
+    }
+  return warp::sample(image, map, {warp::Filter::kArea, warp::Border::kClamp});
+}
+
 }  // namespace
 
 const char* name_of(SideIndex side) {
   return side == kSource ? "source" : "destination";
-}
-
-void bring_to_held(const StageSide& side, warp::Map& positions) {
-  const cv::Size held = side.image.size();
-  if (held == side.file_size) return;
-  const auto x = static_cast<float>(static_cast<double>(held.width) / side.file_size.width);
-  const auto y = static_cast<float>(static_cast<double>(held.height) / side.file_size.height);
-  for (warp::MapPoint& position : positions) position = {position[0] * x, position[1] * y};
 }
 
 Pictures load_pictures(const project::Project& project) {
@@ -86,15 +106,23 @@ cv::Size canvas_size(const project::Project& project, cv::Size source_picture) {
 Stage make_stage(const project::Project& project, const Pictures& pictures) {
   const cv::Size size = canvas_size(project, pictures.source.image.size());
   constexpr int kAnyArea = std::numeric_limits<int>::max();
-  return {size, 1, make_side(project, unscaled(pictures.source), size, {size, 1, {}}, kAnyArea),
-          make_side(project, unscaled(pictures.destination), size, {size, 1, {}}, kAnyArea)};
+  const CanvasView whole{size, 1, {}};
+  Stage stage{size, 1, {}, {}};
+  for (const auto* picture : {&pictures.source, &pictures.destination})
+    stage.sides.push_back(make_side(project, unscaled(*picture), size, whole, kAnyArea));
+  stage.behind = background_of(
+      project, pictures.background ? std::optional(unscaled(*pictures.background)) : std::nullopt, size, whole);
+  return stage;
 }
 
-Stage make_stage(const project::Project& project, const ScaledPicture& source, const ScaledPicture& destination,
-                 const CanvasView& view) {
-  const cv::Size canvas = canvas_size(project, source.size);
-  return {view.size, 1 / view.zoom, make_side(project, source, canvas, view, kReducedAreaPx),
-          make_side(project, destination, canvas, view, kReducedAreaPx)};
+Stage make_stage(const project::Project& project, std::span<const ScaledPicture> pictures,
+                 const std::optional<ScaledPicture>& background, const CanvasView& view) {
+  const cv::Size canvas = canvas_size(project, pictures.front().size);
+  Stage stage{view.size, 1 / view.zoom, {}, {}};
+  for (const ScaledPicture& picture : pictures)
+    stage.sides.push_back(make_side(project, picture, canvas, view, kReducedAreaPx));
+  stage.behind = background_of(project, background, canvas, view);
+  return stage;
 }
 
 }  // namespace morphkit::render

@@ -1,8 +1,10 @@
 #pragma once
-// The two pictures of a project, placed on the canvas: what every morpher starts from.
+// The two pictures of a project, placed on the canvas: what every warper starts from.
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
@@ -40,15 +42,11 @@ struct StageSide {
   warp::Border border = warp::Border::kClamp;  ///< kTransparent or what the project says
 };
 
-/// Brings positions in px of the file to px of the picture as it is held in memory.
-void bring_to_held(const StageSide& side, warp::Map& positions);
-
 struct Stage {
-  cv::Size size;    ///< of the canvas, or of the view of it that is rendered, px
-  double unit = 1;  ///< canvas px per px of the view
-  StageSide source, destination;
-
-  const StageSide& side(SideIndex name) const noexcept { return name == kSource ? source : destination; }
+  cv::Size size;                 ///< of the canvas, or of the view of it that is rendered, px
+  double unit = 1;               ///< canvas px per px of the view
+  std::vector<StageSide> sides;  ///< in the order of the pictures
+  warp::Image behind;            ///< what lies behind the morph. Empty: nothing; 1 x 1: a colour; else of `size`
 };
 
 Stage make_stage(const project::Project& project, const Pictures& pictures);
@@ -69,8 +67,9 @@ struct ScaledPicture {
 
 /// A stage that shows a view: what is rendered on it is what lies there on the whole canvas. Copies of more than
 /// kReducedAreaPx are taken as they are, which costs more time per frame than reducing them but once less.
-Stage make_stage(const project::Project& project, const ScaledPicture& source, const ScaledPicture& destination,
-                 const CanvasView& view);
+/// @param pictures    in the order of the project's. @param background  nothing: there is no background picture.
+Stage make_stage(const project::Project& project, std::span<const ScaledPicture> pictures,
+                 const std::optional<ScaledPicture>& background, const CanvasView& view);
 
 inline constexpr int kReducedAreaPx = 6'000'000;
 

@@ -158,6 +158,60 @@ TEST(CanvasGolden, OnionSkinAndFolds) {
   expect_looks("canvas-onion", scene.drawn());
 }
 
+/// What the result pane shows of the whole canvas of a scene.
+cv::Mat3b result_of(const Scene& scene, const Pyramid* background = nullptr) {
+  PreviewRequest request;
+  request.project = std::make_shared<project::Project>(scene.model.document.project());
+  request.t = scene.model.t;
+  request.show = scene.model.show;
+  request.folds = scene.model.switches.folds;
+  request.size = {360, 480};
+  request.view = fitted(scene.model.content_size(Pane::kResult), request.size);
+  const PreviewPicture picture = PreviewRenderer(scene.source, scene.destination, background).render(request);
+  EXPECT_EQ(picture.problem, "");
+  return picture.image;
+}
+
+TEST(PreviewGolden, ABackgroundPictureIsShown) {
+  Scene scene = scene_with(10);
+  project::Project project = scene.model.document.project();
+  project.output.size = cv::Size(900, 900);
+  project.output.fit = project::Fit::kContain;
+  project.output.background = std::filesystem::path("behind.png");
+  scene.model.document.replace(project);
+  const warp::Image behind = plain({320, 240}, 0.1F, 0.7F);
+  const Pyramid background(behind);
+  expect_looks("preview-background", result_of(scene, &background));
+}
+
+TEST(PreviewGolden, FoldsOfASideThatDoesNotShowYetAreNotPainted) {
+  Scene scene = scene_with(10);
+  project::Project project = scene.model.document.project();
+  project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
+  for (project::Feature& feature : project.features) feature.pace = {};
+  for (project::Group& group : project.groups) group.pace = {};
+  scene.model.document.replace(project);
+  scene.model.document.select({{0, 1, 2}, {}});
+  scene.model.document.swap_end_on(kDestination);  // turned over: folds
+  scene.model.t = 0.3;
+  expect_looks("preview-folds", result_of(scene));
+}
+
+TEST(PreviewGolden, TheSourceUnderAMeshIsThatOfTheTwoPasses) {
+  Scene scene = scene_of("portraits", false);
+  Model& model = scene.model;
+  model.document.make_mesh(6, 7);
+  model.document.set_method(project::MethodName::kMesh);
+  const int moved[] = {14, 15, 20, 21};
+  model.document.move_vertices(moved, kDestination, {60, -60});
+  project::Project project = model.document.project();
+  project.warp.filter = warp::Filter::kNearest;  // of which the passes know nothing
+  model.document.replace(project);
+  model.show = Show::kSource;
+  model.t = 1;
+  expect_looks("preview-mesh-source", result_of(scene));
+}
+
 TEST(CanvasGolden, Help) {
   Scene scene = scene_with(6);
   scene.model.help = true;

@@ -54,11 +54,12 @@ project::Project beginning(const project::Project& project) {
 Editor::Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas)
     : source_(pictures.source.image),
       destination_(pictures.destination.image),
+      background_(pictures.background ? std::optional<Pyramid>(pictures.background->image) : std::nullopt),
       model_(beginning(project), source_.size(), destination_.size(), canvas),
       gestures_(model_, edges_of(source_, destination_)),
       storage_(model_.document.project()),
       canvas_(source_, destination_),
-      thread_(source_, destination_) {
+      thread_(source_, destination_, background_ ? &*background_ : nullptr) {
   if (!project::same_document(project, model_.document.project())) model_.document.replace(std::move(project));
   const project::Project& loaded = model_.document.project();
   model_.fit_views();

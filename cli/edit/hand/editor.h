@@ -73,6 +73,7 @@ class Editor {
   void say(std::string message);
 
   Pyramid source_, destination_;
+  std::optional<Pyramid> background_;
   Model model_;
   Gestures gestures_;
   Storage storage_;

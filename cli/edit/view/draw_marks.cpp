@@ -7,7 +7,7 @@
 #include "cli/edit/document/marks.h"
 #include "cli/edit/view/paint.h"
 #include "cli/edit/view/picking.h"
-#include "morph/render/morpher.h"
+#include "morph/render/warper.h"
 
 namespace morphkit::edit {
 namespace {

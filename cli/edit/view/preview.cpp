@@ -1,6 +1,7 @@
 #include "cli/edit/view/preview.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -10,12 +11,8 @@
 
 #include "base/parallel.h"
 #include "cli/edit/view/screen.h"
-#include "morph/motion/easing.h"
-#include "morph/render/dissolve.h"
-#include "morph/render/morpher.h"
+#include "morph/render/renderer.h"
 #include "warp/analysis.h"
-#include "warp/image/color.h"
-#include "warp/sample/sample.h"
 
 namespace morphkit::edit {
 namespace {
@@ -49,32 +46,13 @@ render::CanvasView canvas_view(const PreviewRequest& request, const cv::Rect& ar
 render::Stage halved(render::Stage stage) {
   stage.size = {std::max(1, stage.size.width / 2), std::max(1, stage.size.height / 2)};
   stage.unit *= 2;
-  for (render::StageSide* side : {&stage.source, &stage.destination}) {
-    for (render::Placement* placement : {&side->file, &side->held}) {
+  for (render::StageSide& side : stage.sides) {
+    for (render::Placement* placement : {&side.file, &side.held}) {
       placement->scale *= 0.5;
       placement->offset *= 0.5;
     }
   }
   return stage;
-}
-
-/// One picture warped to the moment, without the other.
-warp::Image warped(const render::Morpher& morpher, const PreviewRequest& request, const render::Stage& stage,
-                   SideIndex name) {
-  const render::StageSide& side = stage.side(name);
-  warp::Map map = morpher.map(request.t, name);
-  render::bring_to_held(side, map);
-  return warp::sample(side.image, map, {request.project->warp.filter, side.border});
-}
-
-void lay_over_background(warp::Image& image, const project::Project& project) {
-  const auto* color = std::get_if<project::Color>(&project.output.background);
-  if (color == nullptr || color->a <= 0) return;
-  const auto alpha = static_cast<float>(color->a);
-  const warp::Pixel behind(warp::linear_from_srgb(static_cast<float>(color->r)) * alpha,
-                           warp::linear_from_srgb(static_cast<float>(color->g)) * alpha,
-                           warp::linear_from_srgb(static_cast<float>(color->b)) * alpha, alpha);
-  for (int y = 0; y < image.rows; ++y) render::over_row({image[y], static_cast<std::size_t>(image.cols)}, {&behind, 1});
 }
 
 /// Lines where the map into the source crosses whole numbers of cells, about a pixel wide.
@@ -97,28 +75,33 @@ void draw_grid(const warp::Map& map, double cell, cv::Mat3b& screen) {
   });
 }
 
-bool shows(const render::Morpher& morpher, const PreviewRequest& request, SideIndex name) {
+/// A renderer of this project on a stage. Meshes that fold are shown as far as that goes.
+render::Renderer renderer_of(const PreviewRequest& request, std::shared_ptr<const render::Stage> stage) {
+  return {*request.project, std::move(stage), {.allow_folds = true}};
+}
+
+bool shows(const render::Renderer& renderer, const PreviewRequest& request, SideIndex side) {
   switch (request.show) {
     case Show::kSource:
-      return name == kSource;
+      return side == kSource;
     case Show::kDestination:
-      return name == kDestination;
+      return side == kDestination;
     case Show::kDifference:
       return true;
     case Show::kDissolve:
     case Show::kGrid:
       break;
   }
-  return morpher.shows(name, request.t);
+  return renderer.shows(side, request.t);
 }
 
 /// Paints red where a map of a side that shows turns over. @return the share of the pixels.
 double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv::Mat3b& screen) {
-  const render::Stage coarse = halved(stage);
-  const auto morpher = render::make_morpher(*request.project, coarse, true);
-  cv::Mat1b folded(coarse.size, uchar{0});
-  for (const SideIndex side : {kSource, kDestination}) {
-    if (shows(*morpher, request, side)) folded |= warp::jacobian_determinant(morpher->map(request.t, side)) <= 0;
+  const auto coarse = std::make_shared<const render::Stage>(halved(stage));
+  const render::Renderer renderer = renderer_of(request, coarse);
+  cv::Mat1b folded(coarse->size, uchar{0});
+  for (SideIndex side = 0; side < coarse->sides.size(); ++side) {
+    if (shows(renderer, request, side)) folded |= warp::jacobian_determinant(renderer.map(request.t, side)) <= 0;
   }
   const int count = cv::countNonZero(folded);
   if (count > 0) {
@@ -131,46 +114,40 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
   return static_cast<double>(count) / static_cast<double>(folded.total());
 }
 
-cv::Mat3b shown(const PreviewRequest& request, const render::Stage& stage) {
-  const auto morpher = render::make_morpher(*request.project, stage, true);
-  switch (request.show) {
-    case Show::kSource:
-      return to_screen(warped(*morpher, request, stage, kSource));
-    case Show::kDestination:
-      return to_screen(warped(*morpher, request, stage, kDestination));
-    case Show::kDifference: {
-      cv::Mat3b difference;
-      cv::absdiff(to_screen(warped(*morpher, request, stage, kSource)),
-                  to_screen(warped(*morpher, request, stage, kDestination)), difference);
-      return difference;
-    }
-    case Show::kDissolve:
-    case Show::kGrid:
-      break;
+cv::Mat3b shown(const PreviewRequest& request, const std::shared_ptr<const render::Stage>& stage) {
+  const render::Renderer renderer = renderer_of(request, stage);
+  const auto side = [&](SideIndex which) { return to_screen(renderer.side(request.t, which)); };
+  if (request.show == Show::kSource) return side(kSource);
+  if (request.show == Show::kDestination) return side(kDestination);
+  if (request.show == Show::kDifference) {
+    cv::Mat3b difference;
+    cv::absdiff(side(kSource), side(kDestination), difference);
+    return difference;
   }
-  warp::Image frame = morpher->frame(request.t);
-  lay_over_background(frame, *request.project);
-  cv::Mat3b screen = to_screen(frame);
+  cv::Mat3b screen = to_screen(renderer.frame(request.t));
   if (request.show == Show::kGrid) {
     screen *= 0.6;
-    const cv::Size size = stage.source.file_size;
-    draw_grid(morpher->map(request.t, kSource), std::max(size.width, size.height) / kGridCells, screen);
+    const cv::Size size = renderer.picture_size(kSource);
+    draw_grid(renderer.map(request.t, kSource), std::max(size.width, size.height) / kGridCells, screen);
   }
   return screen;
 }
 
 }  // namespace
 
-const render::Stage& PreviewRenderer::stage_of(const PreviewRequest& request, const cv::Rect& area, int reduction) {
+const std::shared_ptr<const render::Stage>& PreviewRenderer::stage_of(const PreviewRequest& request,
+                                                                      const cv::Rect& area, int reduction) {
   const project::Project& project = *request.project;
   const render::CanvasView view = canvas_view(request, area, reduction);
   std::optional<Placed>& placed = reduction > 1 ? placed_draft_ : placed_;
   const bool same = placed && placed->view.size == view.size && placed->view.zoom == view.zoom &&
-                    placed->view.origin == view.origin && placed->fit == project.output.fit &&
-                    placed->border == project.warp.border && placed->canvas == project.output.size;
-  if (!same)
-    placed = Placed{view, project.output.fit, project.warp.border, project.output.size,
-                    render::make_stage(project, scaled(source_), scaled(destination_), view)};
+                    placed->view.origin == view.origin && placed->border == project.warp.border &&
+                    placed->output == project.output;
+  if (same) return placed->stage;
+  const std::array sides{scaled(source_), scaled(destination_)};
+  const auto background = background_ ? std::optional(scaled(*background_)) : std::nullopt;
+  placed = Placed{view, project.warp.border, project.output,
+                  std::make_shared<const render::Stage>(render::make_stage(project, sides, background, view))};
   return placed->stage;
 }
 
@@ -182,9 +159,9 @@ PreviewPicture PreviewRenderer::render(const PreviewRequest& request, int reduct
   picture.area = visible_area(request, render::canvas_size(*request.project, source_.size()));
   if (picture.area.empty()) return picture;
   try {
-    const render::Stage& stage = stage_of(request, picture.area, reduction);
+    const std::shared_ptr<const render::Stage> stage = stage_of(request, picture.area, reduction);
     picture.image = shown(request, stage);
-    if (request.folds) picture.fold_share = paint_folds(request, stage, picture.image);
+    if (request.folds) picture.fold_share = paint_folds(request, *stage, picture.image);
   } catch (const std::exception& error) {
     picture.image.release();
     picture.problem = error.what();

@@ -38,26 +38,28 @@ struct PreviewPicture {
 /// Renders previews, and keeps what many of them share: the pictures, placed and reduced for the view. Not thread-safe.
 class PreviewRenderer {
  public:
-  /// The pyramids outlive it.
-  PreviewRenderer(const Pyramid& source, const Pyramid& destination) : source_(source), destination_(destination) {}
+  /// The pyramids outlive it. @param background  null: the project has no background picture.
+  PreviewRenderer(const Pyramid& source, const Pyramid& destination, const Pyramid* background = nullptr)
+      : source_(source), destination_(destination), background_(background) {}
 
   /// @param reduction  1: as many px as the pane has; n: one for n x n of them, and `draft` is set.
-  /// What cannot be rendered is told in `problem`. A background picture is not shown.
+  /// What cannot be rendered is told in `problem`.
   PreviewPicture render(const PreviewRequest& request, int reduction = 1);
 
  private:
   struct Placed {
     render::CanvasView view;
-    project::Fit fit = project::Fit::kCover;
     std::optional<warp::Border> border;
-    std::optional<cv::Size> canvas;
-    render::Stage stage;
+    project::Output output;
+    std::shared_ptr<const render::Stage> stage;
   };
 
-  const render::Stage& stage_of(const PreviewRequest& request, const cv::Rect& area, int reduction);
+  const std::shared_ptr<const render::Stage>& stage_of(const PreviewRequest& request, const cv::Rect& area,
+                                                       int reduction);
 
   const Pyramid& source_;
   const Pyramid& destination_;
+  const Pyramid* background_;
   std::optional<Placed> placed_, placed_draft_;  ///< a draft before each picture must not push out what that needs
 };
 

@@ -4,8 +4,8 @@
 
 namespace morphkit::edit {
 
-PreviewThread::PreviewThread(const Pyramid& source, const Pyramid& destination)
-    : renderer_(source, destination), thread_([this] { work(); }) {}
+PreviewThread::PreviewThread(const Pyramid& source, const Pyramid& destination, const Pyramid* background)
+    : renderer_(source, destination, background), thread_([this] { work(); }) {}
 
 PreviewThread::~PreviewThread() {
   {

@@ -15,7 +15,7 @@ namespace morphkit::edit {
 class PreviewThread {
  public:
   /// The pyramids outlive it.
-  PreviewThread(const Pyramid& source, const Pyramid& destination);
+  PreviewThread(const Pyramid& source, const Pyramid& destination, const Pyramid* background = nullptr);
   ~PreviewThread();
   PreviewThread(const PreviewThread&) = delete;
   PreviewThread& operator=(const PreviewThread&) = delete;

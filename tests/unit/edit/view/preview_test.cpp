@@ -95,6 +95,29 @@ TEST_F(PreviewTest, AMeshIsRenderedToo) {
   EXPECT_LE(greatest_difference(rendered(whole(0.5)).image, to_screen(renderer().frame(0.5))), 1);
 }
 
+TEST_F(PreviewTest, ABackgroundPictureLiesUnderTheFrame) {
+  use(smooth_image(kSize, 31), smooth_image({30, 64}, 32));
+  pictures_.background.emplace();
+  pictures_.background->image = smooth_image({120, 90}, 33);
+  project_.output.fit = project::Fit::kNone;
+  project_.output.background = std::filesystem::path("behind.png");
+  const Pyramid background(pictures_.background->image);
+  const PreviewRequest request = whole(0.7);
+  const PreviewPicture picture = PreviewRenderer(*source_, *destination_, &background).render(request);
+  EXPECT_EQ(picture.problem, "");
+  EXPECT_LE(greatest_difference(picture.image, to_screen(renderer().frame(0.7))), 1);
+}
+
+TEST_F(PreviewTest, ASideUnderAMeshIsDrawnInTwoPassesAsInTheFrame) {
+  use(test::random_image(kSize, 34), test::random_image(kSize, 35));
+  project_.features.clear();
+  project_.mesh = project::Mesh{2, 2, {{}, {}}, {}};
+  project_.mesh->vertices[project::kDestination] = {{0, 0}, {96, 0}, {0, 64}, {96, 64}};
+  project_.warp.filter = warp::Filter::kNearest;
+  project_.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
+  EXPECT_EQ(greatest_difference(rendered(whole(0.4, Show::kSource)).image, to_screen(renderer().frame(0.4))), 0);
+}
+
 TEST_F(PreviewTest, APartOfTheCanvasIsThatPartOfTheFrame) {
   use(test::random_image(kSize, 7), test::random_image(kSize, 8));
   PreviewRequest request = whole(0.5);

@@ -1,4 +1,4 @@
-#include "morph/render/mesh_morpher.h"
+#include "morph/render/mesh_warper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ project::Project mesh_project(cv::Size source = kSize, cv::Size destination = kS
   return project;
 }
 
-TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
+TEST(MeshWarper, EndsAreThePicturesBitForBit) {
   for (const bool with_alpha : {false, true})
     for (const auto order : {warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst})
       for (const auto spline :
@@ -63,7 +63,7 @@ TEST(MeshMorpher, EndsAreThePicturesBitForBit) {
       }
 }
 
-TEST(MeshMorpher, ASideShowsAsLongAsTheFrameDependsOnIt) {
+TEST(MeshWarper, ASideShowsAsLongAsTheFrameDependsOnIt) {
   project::Project project = mesh_project();
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 2) << "the other one at either end";
   project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.3};
@@ -73,7 +73,7 @@ TEST(MeshMorpher, ASideShowsAsLongAsTheFrameDependsOnIt) {
   EXPECT_EQ(expect_shows_what_counts(project, kSize), 3 + 3);
 }
 
-TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {
+TEST(MeshWarper, EqualMeshesGiveTheDissolveExactly) {
   const warp::Image a = random_image(kSize, 3), b = random_image(kSize, 4);
   project::Project project = mesh_project();
   project.mesh->vertices[project::kDestination] = project.mesh->vertices[project::kSource];
@@ -83,7 +83,7 @@ TEST(MeshMorpher, EqualMeshesGiveTheDissolveExactly) {
   }
 }
 
-TEST(MeshMorpher, UniformMeshesNeedNoVertices) {
+TEST(MeshWarper, UniformMeshesNeedNoVertices) {
   const warp::Image a = random_image(kSize, 5), b = random_image({80, 90}, 6);
   project::Project uniform = mesh_project(), plain;
   uniform.mesh->vertices[project::kSource].clear();
@@ -94,7 +94,7 @@ TEST(MeshMorpher, UniformMeshesNeedNoVertices) {
   EXPECT_EQ(Renderer(uniform, pictures(a, b)).frame(0.3).size(), kSize);
 }
 
-TEST(MeshMorpher, SameBytesForAnyNumberOfThreads) {
+TEST(MeshWarper, SameBytesForAnyNumberOfThreads) {
   project::Project project = mesh_project(kSize, {70, 80});
   project.groups.push_back({"early", {}, {}});
   project.groups.back().pace.dissolve = motion::Timing{motion::SineEase{}, 0, 0.4};
@@ -109,7 +109,7 @@ TEST(MeshMorpher, SameBytesForAnyNumberOfThreads) {
   set_threads(0);
 }
 
-TEST(MeshMorpher, AMapLooksWhereThePicturesComeFrom) {
+TEST(MeshWarper, AMapLooksWhereThePicturesComeFrom) {
   const project::Project project = mesh_project(kSize, {48, 32});
   const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
   const warp::Map source = renderer.map(0, kSource), destination = renderer.map(1, kDestination);
@@ -121,7 +121,7 @@ TEST(MeshMorpher, AMapLooksWhereThePicturesComeFrom) {
     }
 }
 
-TEST(MeshMorpher, VerticesMoveInTheTimeOfTheirGroup) {
+TEST(MeshWarper, VerticesMoveInTheTimeOfTheirGroup) {
   project::Project project = mesh_project();
   project.groups.push_back({"late", {}, {}});
   project.groups.back().pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
@@ -146,7 +146,7 @@ TEST(MeshMorpher, VerticesMoveInTheTimeOfTheirGroup) {
               1e-9);
 }
 
-TEST(MeshMorpher, LocalDissolveFollowsTheVertices) {
+TEST(MeshWarper, LocalDissolveFollowsTheVertices) {
   project::Project project = mesh_project();
   project.mesh->vertices[project::kDestination] = project.mesh->vertices[project::kSource];
   project.groups.push_back({"early", {}, {}});
@@ -165,7 +165,7 @@ TEST(MeshMorpher, LocalDissolveFollowsTheVertices) {
   EXPECT_NEAR(frame(0, static_cast<int>(2.5 * cell))[0], 0.5F, 0.05F);
 }
 
-TEST(MeshMorpher, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
+TEST(MeshWarper, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
   const warp::Image wide({100, 50}, warp::Pixel(1, 1, 1, 1)), tall({50, 100}, warp::Pixel(1, 1, 1, 1));
   project::Project project = mesh_project({100, 50}, {50, 100});
   project.output.size = cv::Size(61, 47);
@@ -181,7 +181,7 @@ TEST(MeshMorpher, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
   EXPECT_NEAR(contained.frame(0)(23, 30)[3], 1.0F, 1e-5F);
 }
 
-TEST(MeshMorpher, ABorderVertexOffTheBorderIsNamed) {
+TEST(MeshWarper, ABorderVertexOffTheBorderIsNamed) {
   project::Project project = mesh_project();
   project.mesh->vertices[project::kDestination][3] = {48, 2};
   const Error error = error_of([&] { Renderer(project, pictures(random_image(kSize, 15), random_image(kSize, 16))); });
@@ -189,7 +189,7 @@ TEST(MeshMorpher, ABorderVertexOffTheBorderIsNamed) {
   EXPECT_TRUE(contains(error.what(), "pair.json: /mesh/destination/3: the vertex in column 3, row 0")) << error.what();
 }
 
-TEST(MeshMorpher, AFoldIsNamedUnlessItIsAllowed) {
+TEST(MeshWarper, AFoldIsNamedUnlessItIsAllowed) {
   const Pictures both = pictures(random_image(kSize, 17), random_image(kSize, 18));
   project::Project project = mesh_project();
   warp::Mesh source{kColumns, kRows, project.mesh->vertices[project::kSource]};
@@ -226,7 +226,7 @@ project::Project turning_project(double angle_rad) {
   return project;
 }
 
-TEST(MeshMorpher, ATurnIsABottleneck) {
+TEST(MeshWarper, ATurnIsABottleneck) {
   const cv::Size size(128, 128);
   const Pictures both = pictures(random_image(size, 19), random_image(size, 20));
   const auto kinds = [&](double degrees) {
@@ -242,7 +242,7 @@ TEST(MeshMorpher, ATurnIsABottleneck) {
   EXPECT_EQ(std::count(turned_far.begin(), turned_far.end(), "mesh-fold"), 0);
 }
 
-TEST(MeshMorpher, TheBottleneckIsThatOfThePictureAsItIsHeld) {
+TEST(MeshWarper, TheBottleneckIsThatOfThePictureAsItIsHeld) {
   // Eight times larger than the canvas: in pixels of the file the first pass would have room enough.
   const cv::Size large(1024, 1024);
   project::Project project = turning_project(70 * 3.14159265358979 / 180);
@@ -254,7 +254,7 @@ TEST(MeshMorpher, TheBottleneckIsThatOfThePictureAsItIsHeld) {
   EXPECT_EQ(bottlenecks, 2U);
 }
 
-TEST(MeshMorpher, AMomentIsJudgedByThePicturesThatShow) {
+TEST(MeshWarper, AMomentIsJudgedByThePicturesThatShow) {
   // The source turns too far at t = 1, where nothing of it is left.
   const cv::Size size(128, 128);
   project::Project project = turning_project(0.9);
@@ -268,7 +268,7 @@ TEST(MeshMorpher, AMomentIsJudgedByThePicturesThatShow) {
   EXPECT_THROW(late.require(0.98), Error);
 }
 
-TEST(MeshMorpher, CheckNamesFoldedVertices) {
+TEST(MeshWarper, CheckNamesFoldedVertices) {
   const Pictures both = pictures(random_image(kSize, 21), random_image(kSize, 22));
   project::Project project = mesh_project();
   EXPECT_TRUE(check(Renderer(project, both)).empty());
