@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longest part of the final name's stem that goes into the temporary name; the rest of a name's 255 bytes is for the
-/// dot, the numbers and the extension.
+/// Longest part of the final stem in the temporary name, bytes. The rest of the 255 bytes of a name is for the dot, the
+/// numbers and the extension.
 constexpr std::size_t kLongestStem = 150;
 
 constexpr mode_t kPermissionBits = 07777;
 
-/// A file descriptor that closes itself; `close` tells whether that went well.
+/// A file descriptor that closes itself; `close` returns whether that succeeded.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor) noexcept : descriptor_(descriptor) {}
@@ -62,8 +62,8 @@ fs::path follow_links(const fs::path& name) {
   return error ? name : target;
 }
 
-/// rename() that does not replace: the kernel checks and renames in one step where the file system can, otherwise we
-/// look first.
+/// rename() that does not replace. The kernel checks and renames in one step if the file system supports it; otherwise
+/// we check first.
 int rename_new(const char* from, const char* to) {
   if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return -1;
@@ -85,7 +85,7 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const std::s
   }
 }
 
-/// Some file systems know no permissions; the contents matter more.
+/// Some file systems have no permissions. The contents matter more, so a failure is ignored.
 void set_mode(int descriptor, mode_t mode) {
   if (::fchmod(descriptor, mode) != 0) errno = 0;
 }
@@ -124,7 +124,7 @@ void AtomicFile::reserve() {
       if (errno == EEXIST) continue;
       fail_errno(shown_, "cannot be created", errno);
     }
-    // No more for others than the file that is replaced has, from the start; ourselves we must write to it.
+    // From the start, others get no more permissions than on the replaced file. We ourselves must be able to write.
     struct stat old = {};
     if (::stat(final_.c_str(), &old) == 0) {
       mode_ = old.st_mode & kPermissionBits;
@@ -145,7 +145,7 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
 void AtomicFile::commit() {
   {
     // Without the flush, a power cut after the rename could leave an empty file under the final name, and a network
-    // file system could report a full disk when nobody listens any more.
+    // file system could report a full disk too late.
     Descriptor descriptor(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
     if (descriptor.get() < 0) fail_errno(shown_, "its temporary file is gone", errno);
     struct stat written = {};

@@ -11,16 +11,16 @@
 
 namespace morphkit {
 
-/// Reserves a temporary file beside `final_name`; `commit` renames it there. Until then, and for ever if the object is
-/// destroyed first, nobody sees anything under the final name.
+/// Reserves a temporary file beside `final_name`; `commit` renames it there. Until then nothing appears under the final
+/// name. If the object is destroyed first, nothing ever does.
 ///
 /// The temporary name is `.<stem>.<pid>.<counter>.tmp<extension>`: hidden, so that no frame pattern takes it for a
-/// frame, with the extension that tells a codec the format, and created exclusively, so that programs do not meet in
-/// it. One that a killed program left behind is never used again.
+/// frame; with the final extension, because codecs read the format from it; created exclusively, so that two programs
+/// never share one. A file that a killed program left behind is never used again.
 class AtomicFile {
  public:
-  /// Creates the (empty) temporary file. A symbolic link is followed: what it points to is replaced, not the link. A
-  /// file that is replaced keeps its permissions.
+  /// Creates the (empty) temporary file. A symbolic link is followed: its target is replaced, not the link. A replaced
+  /// file keeps its permissions.
   /// @throws Error kIo if the folder is missing or cannot be written, if `final_name` is a folder or a device, or if it
   ///         exists and `overwrite` is false.
   AtomicFile(const std::filesystem::path& final_name, bool overwrite);
@@ -28,25 +28,25 @@ class AtomicFile {
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Where to write. The file exists and is empty; whoever writes must have closed it before `commit`.
+  /// Where to write. The file exists and is empty. The writer must close it before `commit`.
   const std::filesystem::path& temporary() const noexcept { return temporary_; }
 
   /// Writes `bytes` as the whole contents. @throws Error kIo, also on a full disk.
   void write(std::span<const std::uint8_t> bytes);
 
-  /// Flushes the file to the disk and gives it its final name. Without `overwrite`, a file that has appeared there in
-  /// the meantime is left alone.
+  /// Flushes the file to the disk and gives it its final name. Without `overwrite`, it never replaces a file that has
+  /// appeared there in the meantime.
   /// @throws Error kIo; the temporary file is removed by the destructor then.
   void commit();
 
  private:
   void reserve();
 
-  std::string shown_;  ///< the name as it was given, for messages
+  std::string shown_;  ///< the name as given, for messages
   std::filesystem::path final_;
   std::filesystem::path temporary_;
   bool overwrite_;
-  std::optional<mode_t> mode_;  ///< permissions of the file that is replaced
+  std::optional<mode_t> mode_;  ///< permissions of the replaced file
   bool committed_ = false;
 };
 

@@ -6,7 +6,7 @@ namespace morphkit {
 namespace {
 
 // Slopes in [0, 3 secant] at both ends make a cubic monotone: the square inside Fritsch & Carlson's region. Unlike
-// their circle it limits each knot by itself, so a slope that is given next door does not matter.
+// their circle it limits each knot by itself, so a given slope at the next knot does not matter.
 double limited(double slope, double secant) {
   return secant >= 0 ? std::clamp(slope, 0.0, 3 * secant) : std::clamp(slope, 3 * secant, 0.0);
 }
@@ -20,7 +20,7 @@ double monotone_slope(Secant before, Secant after) {
 }
 
 double monotone_end_slope(Secant near, Secant far) {
-  // Written so that equal secants give themselves exactly: a map that moves nothing has slope 1.
+  // In this form, equal secants give exactly that slope: a map that moves nothing has slope 1.
   const double parabola = near.slope + near.width * (near.slope - far.slope) / (near.width + far.width);
   return limited(parabola, near.slope);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Slopes that make a piecewise cubic monotone wherever its knots are.
+// Slopes for a piecewise cubic: it is monotone wherever its knots are.
 // Fritsch and Carlson, "Monotone Piecewise Cubic Interpolation", SIAM J. Numer. Anal. 17(2), 1980.
 
 namespace morphkit {
@@ -9,8 +9,8 @@ struct Secant {
   double width = 1, slope = 0;
 };
 
-/// Slope at the knot between two intervals: that of the parabola through the three knots, within [0, 3 secant] of both
-/// sides; 0 at a local extreme.
+/// Slope at the knot between two intervals: the slope of the parabola through the three knots, clamped to [0, 3 secant]
+/// of both sides; 0 at a local extreme.
 double monotone_slope(Secant before, Secant after);
 
 /// Slope at the outer knot of `near`; `far` is the interval beyond it.

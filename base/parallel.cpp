@@ -54,15 +54,15 @@ class Arena {
   tbb::task_arena arena_;
 };
 
-/// What travels between the stages. A failure travels in its item's place, so that everything before it is delivered
-/// and the failure reported is that of the first failing item, whatever the number of threads.
+/// One item between the stages. A failure travels in the place of its item: everything before it is delivered, and the
+/// first failing item is the one reported, for any number of threads.
 struct Item {
   std::int64_t index = 0;
   std::shared_ptr<void> value;
   std::exception_ptr failure;
 };
 
-/// A thread that delivers items one after the other. Holds at most `capacity`, the one being delivered included.
+/// A thread that delivers items one after the other. Holds at most `capacity` items, including the one being delivered.
 class Delivery {
  public:
   Delivery(int capacity, std::function<void(const Item&)> deliver)
@@ -95,7 +95,7 @@ class Delivery {
     for (;;) {
       changed_.wait(lock, [this] { return closed_ || !items_.empty(); });
       if (items_.empty()) return;
-      Item& item = items_.front();  // others are added behind it
+      Item& item = items_.front();  // new items go behind it
       lock.unlock();
       deliver_(item);
       item = {};
@@ -111,11 +111,11 @@ class Delivery {
   std::condition_variable changed_;
   std::deque<Item> items_;
   bool closed_ = false;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< last member: it uses the others
 };
 
-/// One run of the frame pipeline. No exception ever reaches oneTBB: its cancellation would cut short the rows of the
-/// items still in the making.
+/// One run of the frame pipeline. No exception ever reaches oneTBB: its cancellation would cut short the rows of items
+/// that are still being made.
 class PipelineRun {
  public:
   PipelineRun(std::int64_t count, const PipelineStages& stages, const std::function<bool()>& cancelled)
@@ -164,7 +164,7 @@ class PipelineRun {
 
   Item make(std::int64_t index) {
     Item item{index, nullptr, nullptr};
-    if (stopped_) return item;  // nobody wants it any more
+    if (stopped_) return item;  // no longer needed
     try {
       item.value = stages_.make(index);
     } catch (...) {
@@ -191,7 +191,7 @@ class PipelineRun {
   std::atomic<bool> stopped_ = false;
   std::int64_t next_ = 0;  ///< used by the serial first stage only
   std::exception_ptr cancel_failure_;
-  std::int64_t delivered_ = 0;  ///< used by the one who delivers only, as failure_
+  std::int64_t delivered_ = 0;  ///< used by the delivering thread only, as is failure_
   std::exception_ptr failure_;
 };
 
@@ -223,8 +223,8 @@ void detail::run_rows(int height, int grain, RowsFunction function, const void* 
     for (int band = range.begin(); band < range.end(); ++band) run_band(band);
   };
   Arena::get().arena().execute([&] {
-    // Isolated twice: a thread that waits for its rows takes no other frame in the meantime, and a cancelled caller
-    // does not leave rows out.
+    // Isolated twice: a thread that waits for its rows must not start another frame, and a cancelled caller must not
+    // skip rows.
     tbb::this_task_arena::isolate([&] {
       tbb::task_group_context own_context(tbb::task_group_context::isolated);
       tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), run_bands, tbb::simple_partitioner(), own_context);

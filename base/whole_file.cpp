@@ -29,7 +29,7 @@ std::string read_file(const std::filesystem::path& file, const char* what, std::
   }
   const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "rb"));
   if (!stream) fail_reading(file, errno);
-  // In pieces instead of asking for the size: pipes and devices have none.
+  // Reads in pieces: pipes and devices have no size to ask for.
   std::string text;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stream.get())) {

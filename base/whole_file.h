@@ -1,5 +1,5 @@
 #pragma once
-// A file read whole.
+// Reads whole files.
 
 #include <cstddef>
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace morphkit {
 
-/// The whole file, pipes included.
-/// @param what  names what is expected, for messages: "project".
-/// @param most  bytes.
+/// The contents of the whole file; pipes work too.
+/// @param what  the kind of file, for messages: "project".
+/// @param most largest size, bytes.
 /// @throws Error kIo; kBadInput if it is larger than `most`.
 std::string read_file(const std::filesystem::path& file, const char* what, std::size_t most);
 

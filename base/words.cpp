@@ -7,7 +7,7 @@
 namespace morphkit {
 namespace {
 
-/// Longer words are no typing errors; comparing them would cost time for nothing.
+/// Longer words are not typing errors, and comparing them costs time.
 constexpr std::size_t kLongestWord = 40;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -43,7 +43,7 @@ cv::Vec2d difference(int i, int n, const cv::Vec2d& unit, const At& at) {
   return (cv::Vec2d(at(after)) - cv::Vec2d(at(before))) * (1.0 / (after - before));
 }
 
-/// Nothing where the map or a neighbour needed is not finite.
+/// nullopt where the map or a neighbour in use is not finite.
 std::optional<Jacobian> jacobian_at(const Map& map, int x, int y) {
   if (!is_finite(map(y, x))) return std::nullopt;
   const Jacobian j{difference(x, map.cols, {1, 0}, [&](int i) { return map(y, i); }),

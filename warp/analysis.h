@@ -22,18 +22,17 @@ struct StretchRange {
   double largest = 1;
 };
 
-/// det J per output pixel, central differences inside, one-sided at the border. Along an axis of a single pixel there
-/// is no difference: J is taken to be the identity there. NaN where the map or a neighbour needed is not finite. Size
-/// of map.
+/// det J per output pixel, central differences inside, one-sided at the border. An axis of a single pixel has no
+/// difference: J is the identity along it. NaN where the map or a neighbour in use is not finite. Same size as the map.
 cv::Mat1f jacobian_determinant(const Map& map);
 
 /// Singular values of J per output pixel, (larger, smaller). Size of map; NaN as above.
 cv::Mat2f stretch(const Map& map);
 
-/// Regions where det J <= 0, largest first, ties by position. Pixels whose det J is NaN belong to none.
+/// Regions where det J <= 0, largest first, ties by position. Pixels with det J = NaN belong to no region.
 std::vector<FoldRegion> find_folds(const Map& map);
 
-/// (1, 1) if there is no finite pixel.
+/// Over all finite pixels; (1, 1) if there are none.
 StretchRange stretch_range(const Map& map);
 
 }  // namespace morphkit::warp

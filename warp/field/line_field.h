@@ -13,7 +13,7 @@ namespace detail {
 class FieldTables;
 }
 
-/// A directed line from p to q. If both ends coincide it is a point.
+/// A directed line from p to q. A line with p = q is a point.
 struct Line {
   cv::Point2d p, q;
 };
@@ -23,9 +23,8 @@ struct LineWeight {
   double a = 1;  ///< px, [0, 1e9]; 0: pixels on the line follow it exactly
   double b = 2;  ///< [0, 8]; how fast the pull falls with distance
   double p = 0;  ///< [0, 1]; how much longer lines pull more
-  /// [1e-6, 1e6]; `a`, lengths and distances are measured in units of which a pixel of the output frame has so many.
-  /// 1 but for a frame that is a reduced or magnified view of another: then px of the other, and the weights are the
-  /// other's.
+  /// [1e-6, 1e6]; one output pixel counts as `unit` px in `a`, lengths and distances. It is 1 except for a reduced or
+  /// magnified view of another frame: then `a` is in px of that frame, and the weights are the same as there.
   double unit = 1;
 };
 
@@ -49,7 +48,7 @@ enum class FieldAccuracy {
   kAdaptive  ///< lines whose weights are smooth over a tile are interpolated
 };
 
-/// Side of the square tiles, px, that the field is evaluated by; they lie at multiples of it.
+/// Side of the square tiles in which the field is evaluated, px. Tiles begin at multiples of it.
 inline constexpr int kFieldTile = 32;
 
 /// For an output pixel centre X, X_target = X + sum(w (X' - X)) / sum(w), with X' the image of X under each pair. The
@@ -57,8 +56,8 @@ inline constexpr int kFieldTile = 32;
 class LineField {
  public:
   /// @param lines    finite coordinates within 1e9 px of the origin; values within the range of a float; every line has
-  ///                 `targets` targets. A line that is a point in the output or in a target, as one is that turns
-  ///                 through length 0 on its way, displaces by what its midpoint moves.
+  ///                 `targets` targets. If a line is a point in the output or in a target (also while it turns through
+  ///                 length 0), the displacement of its midpoint is used.
   /// @param targets  number of targets, >= 1.
   /// @throws std::invalid_argument on a broken contract, naming the line.
   LineField(std::span<const FieldLine> lines, int targets);
@@ -66,16 +65,15 @@ class LineField {
   int targets() const noexcept;
   bool empty() const noexcept;  ///< no lines: the identity
 
-  /// Target positions of the centres of the output pixels of `area`, which may lie anywhere within 2^30 px.
-  /// @param positions  one map of area's size per target; written through.
-  /// @param values     weighted mean of the lines' values, of area's size; null if not wanted. 0 without lines.
+  /// Target positions of the pixel centres of `area`, a part of the output frame anywhere within 2^30 px.
+  /// @param positions  one map of the size of `area` per target; the maps are written in place.
+  /// @param values     weighted mean of the lines' values, same size; null if not wanted. 0 without lines.
   /// @throws std::invalid_argument on the wrong number or size of maps.
   /// Accuracy: class T, within kFieldTolerancePx (kExact) or kAdaptiveTolerancePx (kAdaptive) of `reference` wherever
-  /// |position| < 2^15 px (2^16 px) and equal to it everywhere else. A pixel whose float error cannot be shown to stay
-  /// below the bound, or that lies on a line with a = 0, is taken from the reference. The result for a pixel does not
-  /// depend on the area that it is asked for with. Thread-safe. Cost: by tiles of kFieldTile, so areas should be
-  /// multiples of that; kExact O(pixels x lines); kAdaptive O(pixels x lines near them + tiles x lines); see
-  /// tests/bench/field_bench.cpp.
+  /// |position| < 2^15 px (2^16 px) and equal to it everywhere else. Pixels on a line with a = 0, and pixels with too
+  /// large a bound on their float error, are taken from the reference. The result for a pixel does not depend on the
+  /// requested area. Thread-safe. Cost: whole tiles of kFieldTile, so areas should be multiples of that; kExact
+  /// O(pixels x lines); kAdaptive O(pixels x lines near them + tiles x lines); see tests/bench/field_bench.cpp.
   void evaluate(cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions, cv::Mat1f* values = nullptr) const;
 
   /// The specification: the same in plain scalar double arithmetic.

@@ -1,5 +1,5 @@
-// Lines whose weights are smooth over a tile: their sums are evaluated at a few nodes and interpolated, on the
-// instruction set that is being compiled. Included by warp/line_field_simd.cpp; the guard toggles accordingly.
+// Lines whose weights are smooth over a tile: their sums are evaluated at a few nodes and interpolated. Included by
+// line_field_simd.cpp once per instruction set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_
@@ -93,7 +93,7 @@ inline void spread(const float (&nodes)[kNodes][kNodes], float* out) {
   }
 }
 
-/// Adds what is in lanes, and empties them.
+/// Adds the lanes to the sums and clears the lanes.
 template <int kChannels, size_t kSide>
 void collect(NodeLanes<kChannels, kSide>& nodes, NodeSums<kChannels, kSide>& sums) {
   const hn::CappedTag<float, kLineChunk> d;
@@ -108,7 +108,8 @@ void collect(NodeLanes<kChannels, kSide>& nodes, NodeSums<kChannels, kSide>& sum
   nodes = {};
 }
 
-/// Sums over all lines at the nodes of a grid. `gates` gives for a group what is to stand for its lines' root or scale.
+/// Sums over all lines at the nodes of a grid. `gates(group)` gives the values to use as root or scale of the group's
+/// lines.
 template <int kChannels, size_t kSide, class Gates>
 NodeSums<kChannels, kSide> sum_at_nodes(const FieldTables& tables, const Tile<kChannels>& tile,
                                         const View<kChannels>& view, const Gates& gates,
@@ -137,7 +138,7 @@ void sum_far(const FieldTables& tables, const Tile<kChannels>& tile, const View<
   for (size_t c = 0; c < kChannels; ++c) spread(nodes.sum[c + 1], sums.channel[c]);
 }
 
-/// What is expected of a tile before it is evaluated, and checked afterwards.
+/// Bounds assumed before a tile is evaluated, and checked afterwards.
 struct Expectation {
   double total_least;  ///< sum of weights anywhere in the tile
   double excursion;    ///< px, of the mean of any channel from the base

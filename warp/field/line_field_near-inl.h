@@ -1,5 +1,5 @@
-// Lines that are evaluated at every pixel of a tile, on the instruction set that is being compiled. Included by
-// warp/line_field_simd.cpp; the guard toggles accordingly.
+// Lines that are evaluated at every pixel of a tile. Included by line_field_simd.cpp once per instruction set; the
+// guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_
@@ -22,8 +22,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr size_t kTilePixels = size_t{kFieldTile} * kFieldTile;
 
-/// Chunks of lines whose sums are added up before they are put to those of earlier ones: the error of a sum then grows
-/// with chunk + block + lines / (chunk block), see sum_units.
+/// Chunks per block: the sums of a block are added up first, then added to those of earlier blocks. The error of a sum
+/// then grows with chunk + block + lines / (chunk block), see sum_units.
 constexpr int kChunksPerBlock = 16;
 
 inline double sum_units(const FieldTables& tables) {
@@ -51,7 +51,7 @@ struct Sums {
   }
 };
 
-/// What a chunk of lines adds to the sums of one vector of pixels, while it is in registers.
+/// The part of a chunk of lines in the sums of one vector of pixels, held in registers.
 template <int kChannels, class D>
 struct Accumulator {
   hn::Vec<D> offset, weight;
@@ -79,7 +79,7 @@ struct Accumulator {
   }
 };
 
-/// The channels of up to kLineChunk lines; those of a row are at + ky slope_y.
+/// The channels of up to kLineChunk lines; in row ky they are at + ky slope_y.
 template <int kChannels>
 struct ChunkChannels {
   alignas(64) float at[kChannels][kLineChunk] = {}, slope_x[kChannels][kLineChunk] = {},
@@ -100,11 +100,11 @@ struct ChunkChannels {
   }
 };
 
-// ---- Lines whose distances a plain float holds well enough.
+// ---- Lines for which plain float distances are accurate enough.
 
 template <int kChannels>
 struct PlainChunk : ChunkChannels<kChannels> {
-  // Of half the size, as plus_twice_root wants it; and over the root, which then need not be multiplied with.
+  // Halved, as plus_twice_root needs it, and divided by the root, which saves a multiplication.
   alignas(64) float across[kLineChunk] = {}, along[kLineChunk] = {},
                     reach[kLineChunk] = {};  // along: from the line's middle
   alignas(64) float along_x[kLineChunk] = {}, along_y[kLineChunk] = {};
@@ -138,7 +138,7 @@ struct PlainChunk : ChunkChannels<kChannels> {
   }
 };
 
-/// A distance of 0 would be the root of nothing; this leaves it above, and far below kOnLinePx.
+/// Added to squared distances so that no root is taken of 0; its root is far below kOnLinePx.
 constexpr float kTinySquarePx = 0x1p-60f;
 
 /// The weight of line i for pixels at `offset`.
@@ -174,15 +174,15 @@ void add_plain(PlainChunk<kChannels>& chunk, size_t count, Sums<kChannels>& sums
   }
 }
 
-// ---- Lines so near, for their a, that distances need more than a float.
+// ---- Lines so near, for their a, that a float is too coarse for the distance.
 
 /// Numbers as sums of two floats.
 struct SplitChunk {
   alignas(64) float hi[kLineChunk] = {}, lo[kLineChunk] = {};
 
-  /// On the grid of 2^-17, hi and hi + k slope_hi for every offset k are exact in float as long as they stay below 2^7,
-  /// so a value that passes through 0 within a tile keeps its relative precision; one that starts above 2^6 cannot come
-  /// near 0.
+  /// hi lies on a grid of 2^-17. hi and hi + k slope_hi are exact in float for every offset k while they stay below
+  /// 2^7, so a value that passes through 0 within a tile keeps its relative precision. A value that starts above 2^6
+  /// does not come near 0.
   void put(double value, size_t i) {
     const double on_grid = std::abs(value) < 0x1p6 ? std::nearbyint(value * 0x1p17) * 0x1p-17 : value;
     hi[i] = static_cast<float>(on_grid);
@@ -207,7 +207,7 @@ struct CarefulChunk : ChunkChannels<kChannels> {
   SplitChunk row_across, row_before, row_after;
   SplitChunk power, scale;  // kAny
   alignas(64) float a[kLineChunk] = {}, root[kLineChunk] = {};
-  alignas(64) float error[kLineChunk] = {};  // px, what this line alone could contribute to a mean's error
+  alignas(64) float error[kLineChunk] = {};  // px, bound on this line's part in the error of a mean
 
   CarefulChunk(const FieldTables& tables, const Tile<kChannels>& tile, const View<kChannels>& view,
                std::span<const int> lines) {
@@ -230,9 +230,9 @@ struct CarefulChunk : ChunkChannels<kChannels> {
       scale.put_exponent(std::max(tables.log2_factor[line], kLeastLog2) + static_cast<double>(tile.scale), 1, i);
       a[i] = static_cast<float>(tables.a[line]);
       root[i] = static_cast<float>(tables.root[line]);
-      // A weight is off by at most (12 b + 8) units of roundoff, 8 from the distance and a, 4 from the reciprocal, the
-      // rest from the power; it counts twice because it acts on differences from the mean rather than the base. A
-      // channel has 6 of its own.
+      // The error of a weight is at most (12 b + 8) units of roundoff: 8 from the distance and a, 4 from the
+      // reciprocal, the rest from the power. It counts twice because it acts on differences from the mean, not from the
+      // base. A channel adds 6 units.
       const double units = 2 * (12 * tables.b[line] + 8) + 2 * sum_units(tables) + 6;
       error[i] = static_cast<float>(kUnitRoundoff * units * static_cast<double>(view.spread[line]));
     }
@@ -290,7 +290,7 @@ void add_careful(CarefulChunk<kChannels>& chunk, size_t count, Sums<kChannels>& 
       for (size_t i = 0; i < count; ++i) {
         const auto reach = careful_reach(d, lanes.offset, chunk, i);
         nearest = hn::Min(nearest, reach);
-        // Pixels on a line are redone; here they only must not become infinite.
+        // Pixels on a line are computed again later; here they only must stay finite.
         const auto weight = careful_weight<kKind>(d, hn::Max(reach, on_line), chunk, i);
         error = hn::MulAdd(weight, hn::Set(d, chunk.error[i]), error);
         lanes.add(d, weight, chunk, i);

@@ -1,5 +1,5 @@
-// How the lines of a tile are treated, and what that can do to its means; on the instruction set that is being
-// compiled. Included by warp/line_field_simd.cpp; the guard toggles accordingly.
+// How the lines of a tile are treated, and bounds on the resulting error of its means. Included by line_field_simd.cpp
+// once per instruction set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_
@@ -22,8 +22,8 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What rounding and interpolation may do to each of the two coordinates, so that their distance keeps to the
-/// tolerance.
+/// Allowed error of each of the two coordinates from rounding and from interpolation. The distance then stays within
+/// the tolerance.
 struct Tolerance {
   double rounding, interpolation;  // px
 };
@@ -33,26 +33,26 @@ constexpr Tolerance tolerance_of(FieldAccuracy accuracy) {
   return {kShare * kRoundingShare * kAdaptiveTolerancePx, kShare * (1 - kRoundingShare) * kAdaptiveTolerancePx};
 }
 
-/// The lines' distances are known to 2^-22 of themselves; this margin leaves pixels on a line to the reference.
+/// Distances from lines have a relative error of 2^-22; with this margin, pixels on a line are left to the reference.
 constexpr double kSurelyOffLinePx = kOnLinePx * (1 + 0x1p-8);
 
-/// A line that a pixel may lie on is treated carefully. A line whose rounding alone could take this part of what is
-/// allowed is treated carefully; so is one so much weaker than others of its set that the squares of coordinates over
-/// its root could leave the range of a float.
+/// Three kinds of lines are treated carefully: a line that a pixel may lie on; a line with a rounding error above this
+/// part of the allowed error; a line so much weaker than others of its set that squared coordinates over its root could
+/// leave the range of a float.
 constexpr double kPlainLinePart = 1.0 / 16;
 constexpr float kLeastRoot = 0x1p-20f;
-/// An error that no tolerance allows, px or relative.
+/// An error above any tolerance, px or relative.
 constexpr float kTooMuch = 1e30f;
 
 /// How the lines of a tile are treated. Kept from tile to tile.
 struct Plan {
-  PerLine rounding, interpolation;  // px, what plain or far treatment of a line could do to a coordinate of a mean
-  PerLine gate;                     // for far lines the root or scale, for others what makes their weight 0
-  // Numbers of the lines that are treated so. Those of the n-th group start where its lines do.
+  PerLine rounding, interpolation;  // px, bound on a mean's error by plain or far treatment
+  PerLine gate;                     // for far lines the root or scale, for others a value that makes the weight 0
+  // Indices of the lines with this treatment. Those of the n-th group start at the group's first line.
   std::vector<int> plain, careful;
   std::array<size_t, kWeightKinds> plain_count{}, careful_count{};
   bool any_far = false, any_near = false, any_careful = false, all_careful = false;
-  double bound = 0;    // px, of all lines but the careful
+  double bound = 0;    // px, of all lines except the careful ones
   double allowed = 0;  // px, of all lines
 
   void resize(size_t lines) {
@@ -61,9 +61,9 @@ struct Plan {
   }
 };
 
-/// What the rounding of a plain line's weight and channels can do to a mean. Distances: 6 roundings of numbers not
-/// above the distance, the tile's diameter and the line's length; the root and the reciprocal: 16 units of roundoff;
-/// all of it b times, and 6 for the rest; it acts on differences from the mean rather than the base.
+/// Bound on the error of a mean by rounding a plain line's weight and channels. Distances: 6 roundings of numbers not
+/// above the distance, the tile's diameter and the line's length. The root and the reciprocal: 16 units of roundoff.
+/// All of this counts b times; the rest adds 6. The error acts on differences from the mean, not from the base.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V rounding_error(D d, V distance, V length, V reach, V b, V share, V spread, V excursion,
                             float other_units) {
@@ -74,13 +74,14 @@ HWY_INLINE V rounding_error(D d, V distance, V length, V reach, V b, V share, V 
   return hn::Mul(hn::Mul(share, set(kUnitRoundoff)), hn::Mul(units, hn::Add(spread, excursion)));
 }
 
-/// What interpolation of a far line can do to its weighted channels, relative to its largest weight over the tile, px;
-/// see docs/methods.md. Where the weight is a power of an analytic distance, the remainder of interpolation at n = 5
-/// Chebyshev nodes goes with the fifth derivative, (b + 4 over 5) (h / distance)^5, h being half the tile; the distance
-/// is measured to where it is nearest, and the constant is an upper bound of what is measured. A channel that changes
-/// over the tile adds the weight's fourth derivative times its slope. At the perpendiculars through its ends a line's
-/// distance has a second derivative that jumps by 1 / distance, for which the error is of second order.
-/// @param size  px, the largest difference of a channel from the mean. @param turn  px, what its slopes add to that.
+/// Bound on the error of a far line's weighted channels by interpolation, relative to its largest weight over the tile,
+/// px; see docs/methods.md. Where the weight is a power of an analytic distance, the remainder at n = 5 Chebyshev nodes
+/// is proportional to the fifth derivative, (b + 4 over 5) (h / distance)^5, with h half the tile. The distance is the
+/// smallest over the tile; the constant is an upper bound on measured errors. A channel that changes over the tile adds
+/// the weight's fourth derivative times its slope. At the perpendiculars through the ends of a line, the second
+/// derivative of its distance jumps by 1 / distance; the error there is of second order.
+/// @param size  px, the largest difference of a channel from the mean. @param turn  px, the part of it that comes from
+/// its slopes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, V after, V size, V turn) {
   const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
@@ -126,7 +127,7 @@ void bound_errors(const FieldTables& tables, const View<kChannels>& view, const 
   }
 }
 
-/// The sum of the interpolation errors that are below a limit.
+/// The sum of all interpolation errors below a limit.
 inline float sum_below(const FieldTables& tables, const PerLine& errors, float limit) {
   const hn::CappedTag<float, kLineChunk> d;
   auto sum = hn::Zero(d);
@@ -140,13 +141,14 @@ inline float sum_below(const FieldTables& tables, const PerLine& errors, float l
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }
 
-/// The interpolation error up to which lines are far: their sum stays within the tolerance. A power of 2, or 0.
+/// The limit below which lines are far: the sum of their interpolation errors stays within the tolerance. A power of 2,
+/// or 0.
 inline float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px) {
   constexpr int kLeast = -40, kMost = 0;
   const auto power_of_two = [](int exponent) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23);
   };
-  int known = kLeast - 1, possible = kMost;  // exponents: that will do; that might
+  int known = kLeast - 1, possible = kMost;  // exponents: surely within; possibly within
   while (known < possible) {
     const int middle = possible - (possible - known) / 2;
     const bool will_do =
@@ -156,7 +158,7 @@ inline float far_limit(const FieldTables& tables, const Plan& plan, double toler
   return known < kLeast ? 0 : power_of_two(known);
 }
 
-/// Everything with care, where what is asked for is more than plain floats can promise.
+/// Treats all lines carefully, where plain floats cannot keep the tolerance.
 inline void treat_all_carefully(const FieldTables& tables, Plan& plan) {
   for (size_t g = 0; g < tables.groups().size(); ++g) {
     const LineGroup& group = tables.groups()[g];
@@ -169,7 +171,8 @@ inline void treat_all_carefully(const FieldTables& tables, Plan& plan) {
   plan.bound = 0;
 }
 
-/// Chooses the treatment of every line of a group. @return  a bound of what plain and far ones do together, px.
+/// Chooses the treatment of every line of a group. @return  a bound on the error of all plain and far lines together,
+/// px.
 inline double plan_group(const FieldTables& tables, size_t number, float limit, double tolerance, Plan& plan) {
   const hn::CappedTag<float, kLineChunk> d;
   const hn::RebindToSigned<decltype(d)> di;
@@ -199,7 +202,7 @@ inline double plan_group(const FieldTables& tables, size_t number, float limit, 
   plan.careful_count[number] = static_cast<size_t>(careful_end - &plan.careful[group.first()]);
   plan.any_near |= plan.plain_count[number] + plan.careful_count[number] > 0;
   plan.any_careful |= plan.careful_count[number] > 0;
-  // The sum is of floats itself.
+  // The sum itself is computed in floats.
   return (1 + kLineChunk * kUnitRoundoff * group.count) * static_cast<double>(hn::GetLane(hn::SumOfLanes(d, bound)));
 }
 
@@ -215,7 +218,7 @@ void make_plan(const FieldTables& tables, const Tile<kChannels>& tile, const Vie
   plan.bound = 0;
   for (size_t g = 0; g < tables.groups().size(); ++g)
     plan.bound += plan_group(tables, g, limit, tolerance.rounding, plan);
-  // Both results are rounded to float at the end: 2^-23 of the position between them.
+  // Both results are rounded to float at the end: together 2^-23 of the position.
   double position = 0;
   for (size_t c = 0; c < kChannels; ++c) {
     if (tile.channels[c] == tables.value_channel()) continue;

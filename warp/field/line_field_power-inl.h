@@ -1,5 +1,5 @@
-// Powers for the weights of the line field, on the instruction set that is being compiled. Included once for each by
-// warp/line_field_simd.cpp; the guard toggles accordingly.
+// Powers for the weights of the line field. Included by line_field_simd.cpp once per instruction set; the guard toggles
+// accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_
@@ -49,8 +49,8 @@ HWY_INLINE V exp2_fraction(D d, V f) {
   return hn::MulAdd(poly, f, hn::Set(d, 1.0f));
 }
 
-/// 2^(scale + power log2(z)) for normal z > 0, within a few units of roundoff whatever the size of the exponent: its
-/// large part, integers times 8 bits, is kept apart from the small one. Below 2^-126 it is 0.
+/// 2^(scale + power log2(z)) for normal z > 0, within a few units of roundoff for any exponent: its large part,
+/// integers times 8 bits, is kept apart from the small one. Results below 2^-126 are 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V scaled_power(D d, V z, SplitVector<V> power, SplitVector<V> scale) {
   const hn::RebindToSigned<D> di;
@@ -69,7 +69,7 @@ HWY_INLINE V scaled_power(D d, V z, SplitVector<V> power, SplitVector<V> scale) 
   return hn::IfThenElseZero(hn::Ge(whole, hn::Set(d, -126.0f)), result);
 }
 
-/// log2(z) for normal z > 0, within 1e-7 and the rounding of a sum. The polynomial agrees with log2(m) / (m - 1) at
+/// log2(z) for normal z > 0, within 1e-7 plus the rounding of one sum. The polynomial agrees with log2(m) / (m - 1) at
 /// eight Chebyshev nodes; its terms are summed as a tree, for speed.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V quick_log2(D d, V z) {
@@ -97,8 +97,8 @@ HWY_INLINE V quick_exp2_fraction(D d, V f) {
   return hn::MulAdd(f2, hn::MulAdd(f2, c45, c23), c01);
 }
 
-/// 2^(scale + power log2(z)) for normal z > 0 and results below 2^127, within kQuickPowerUnits units of roundoff while
-/// the exponent lies within 100 of 0. Below 2^-125 it is 0.
+/// 2^(scale + power log2(z)) for normal z > 0 and results below 2^127, within kQuickPowerUnits units of roundoff for
+/// exponents in [-100, 100]. Results below 2^-125 are 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V quick_power(D d, V z, V power, V scale) {
   const hn::RebindToSigned<D> di;
@@ -108,12 +108,12 @@ HWY_INLINE V quick_power(D d, V z, V power, V scale) {
   const auto scaled = hn::Add(hn::BitCast(di, result), hn::ShiftLeft<23>(hn::ConvertTo(di, whole)));
   return hn::IfThenElseZero(hn::Ge(exponent, hn::Set(d, -125.0f)), hn::BitCast(d, scaled));
 }
-/// The exponent is rounded three times, log2(z) being at most 30 and the exponent at most 100: 160 units at most, which
-/// act on the result times ln 2; the polynomials add 12.
+/// The exponent is rounded three times. With log2(z) at most 30 and the exponent at most 100, that is at most 160
+/// units, which act on the result times ln 2. The polynomials add 12.
 constexpr double kQuickPowerUnits = 125;
 
-/// Whether the machine has estimates of 1 / z and 1 / sqrt(z) that are good to 1.5 2^-12: those of x86 are. One step of
-/// Newton's makes that 2^-22 at worst, and costs less than to divide or to take a root.
+/// Whether the machine estimates 1 / z and 1 / sqrt(z) with an error of at most 1.5 2^-12, as x86 does. One Newton step
+/// reduces it to 2^-22 at worst, and costs less than a division or a root.
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 constexpr bool kHasEstimates = true;
 #else
@@ -128,8 +128,8 @@ HWY_INLINE V quick_reciprocal(D d, V z) {
   return hn::MulAdd(estimate, hn::NegMulAdd(z, estimate, hn::Set(d, 1.0f)), estimate);
 }
 
-/// a + 2 sqrt(z) for z within [2^-100, 2^120] and a >= 0, within 6 units of roundoff. A step of Newton's from an
-/// estimate e of 1 / sqrt(z), with t = z e, is t (3 - t e) / 2: to leave the half to the caller saves a multiplication.
+/// a + 2 sqrt(z) for z within [2^-100, 2^120] and a >= 0, within 6 units of roundoff. The Newton step from an estimate
+/// e of 1 / sqrt(z), with t = z e, is t (3 - t e) / 2. Leaving the half to the caller saves a multiplication.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V plus_twice_root(D d, V z, V a) {
   if constexpr (!kHasEstimates) {

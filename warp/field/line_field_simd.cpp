@@ -2,18 +2,18 @@
 //
 // What keeps float arithmetic close to the double reference:
 //  - Everything affine is evaluated in double once per tile and line, at the tile's middle pixel.
-//  - Displacements are taken relative to a base, an affine guess at the tile's mean, so that only their differences are
-//    rounded; a single pair or equal pairs come out as good as in double.
-//  - Weights are summed a chunk of lines at a time, and chunks in blocks, so that the error of a sum hardly grows with
-//    the number of lines.
-//  - Every line's part in the error of a tile's means is bounded beforehand. Lines for which that is too much, those so
-//    near that a float does not hold their distance well enough, are treated carefully: distances as two floats, and
-//    the bound on the error accumulated with the weights themselves, pixel by pixel. A pixel that cannot be shown to be
-//    within kFieldTolerancePx, or that lies on a line, is taken from the reference.
+//  - Displacements are relative to a base, an affine guess of the tile's mean, so only their differences are rounded. A
+//    single pair or equal pairs are as accurate as in double.
+//  - Weights are summed a chunk of lines at a time, and chunks in blocks, so the error of a sum hardly grows with the
+//    number of lines.
+//  - The part of every line in the error of a tile's means is bounded beforehand. Where that bound is too large,
+//    because a line is so near that a float is too coarse for its distance, the line is treated carefully: distances
+//    are pairs of floats, and the bound on the error is summed with the weights, pixel by pixel. The reference gives
+//    the pixels that lie on a line, and those with an error bound above kFieldTolerancePx.
 //
 // Adaptive evaluation adds a third treatment: lines whose weight is smooth over the tile are summed at 5 x 5 Chebyshev
-// nodes only, and the sums interpolated. What that costs is bounded for each line (see interpolation_error), and lines
-// are treated so, the cheapest first, while the sum of the bounds stays within the tolerance.
+// nodes only, and the sums are interpolated. The error of that is bounded for each line (see interpolation_error).
+// Lines get this treatment, smallest bound first, while the sum of the bounds stays within the tolerance.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,8 @@
 
 #include "warp/field/line_field_tables.h"
 
-// Vectors are kept in arrays here, which targets without a fixed vector size do not allow; such machines have NEON too.
+// This code keeps vectors in arrays, which targets without a fixed vector size do not allow. Such machines have NEON
+// too.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/field/line_field_simd.cpp"
@@ -41,7 +42,7 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Adds what is not far to the sums, in blocks of chunks.
+/// Adds the near lines to the sums, in blocks of chunks.
 template <int kChannels>
 class NearSum {
  public:
@@ -111,11 +112,11 @@ void sum_near(const FieldTables& tables, const Plan& plan, NearSum<kChannels>& s
 
 // ---- From sums to the caller's maps.
 
-/// Where a tile's results go.
+/// The output of a tile.
 struct Target {
   std::span<Map> positions;
   cv::Mat1f* values;
-  cv::Rect area;  // what the maps cover
+  cv::Rect area;  // the area of the maps
 };
 
 /// Rows or columns of a tile, [begin, end).
@@ -129,7 +130,7 @@ static_assert(kFieldTile == 32);
 
 /// Positions of one row of the tile for one target. The large part of a position, a whole number, is added last, so
 /// that it is rounded once.
-/// @return  the pixels that are not safe: too far from the reference for all that is known, or on a line.
+/// @return  the unsafe pixels: those on a line, and those with too large an error bound.
 template <int kChannels>
 PixelBits emit_positions(const Tile<kChannels>& tile, const Sums<kChannels>& sums, const Plan& plan, size_t c, int y,
                          float* out) {
@@ -154,8 +155,8 @@ PixelBits emit_positions(const Tile<kChannels>& tile, const Sums<kChannels>& sum
     const auto position_y = hn::Add(whole_y, part_y);
     hn::StoreInterleaved2(position_x, position_y, d, out + 2 * x);
     if (!plan.any_careful) continue;
-    // Both results are rounded to float at the end, 2^-23 of the position between them, and what leads up to it before.
-    // NaN must count as unsafe.
+    // Both results are rounded to float at the end (together 2^-23 of the position), and the steps before are rounded
+    // too. NaN must count as unsafe.
     const auto largest = hn::Add(hn::Max(hn::Abs(position_x), hn::Abs(position_y)), set(steps));
     const auto error =
         hn::MulAdd(largest, set(0x1p-23), hn::MulAdd(hn::Load(d, sums.error + pixel), inverse, set(plan.bound)));
@@ -181,7 +182,7 @@ void emit_values(const FieldTables& tables, const Tile<kChannels>& tile, const S
   }
 }
 
-/// One pixel from the reference. @param x, y  of the tile. @param at  of the maps.
+/// Takes one pixel from the reference. @param x, y  in the tile. @param at  in the maps.
 template <int kChannels>
 void ask_reference(const FieldTables& tables, const Tile<kChannels>& tile, int x, int y, cv::Point at,
                    const Target& target) {
@@ -196,7 +197,7 @@ void ask_reference(const FieldTables& tables, const Tile<kChannels>& tile, int x
   if constexpr (kChannels % 2 == 1) (*target.values)(at) = static_cast<float>(tables.value_from_channel(exact.back()));
 }
 
-/// A row of the tile into the maps. @return  how many pixels had to be taken from the reference.
+/// Writes a row of the tile to the maps. @return  the number of pixels taken from the reference.
 template <int kChannels>
 int emit_row(const FieldTables& tables, const Tile<kChannels>& tile, const Sums<kChannels>& sums, const Plan& plan,
              int y, Part columns, cv::Point first, const Target& target) {
@@ -219,7 +220,7 @@ int emit_row(const FieldTables& tables, const Tile<kChannels>& tile, const Sums<
   return asked;
 }
 
-/// What a thread keeps for its tiles.
+/// The buffers of a thread, reused from tile to tile.
 template <int kChannels>
 struct Workplace {
   View<kChannels> view;
@@ -227,7 +228,7 @@ struct Workplace {
   Sums<kChannels> sums, earlier;
 };
 
-/// Sums of all lines as they are planned.
+/// Sums all lines as the plan says.
 template <int kChannels>
 void sum_lines(const FieldTables& tables, const Tile<kChannels>& tile, Workplace<kChannels>& place) {
   Sums<kChannels>& sums = place.sums;
@@ -244,7 +245,7 @@ void sum_lines(const FieldTables& tables, const Tile<kChannels>& tile, Workplace
   sum_near(tables, place.plan, near);
 }
 
-/// What the sums turned out to be.
+/// The bounds that the sums really have.
 template <int kChannels>
 Expectation found(const Sums<kChannels>& sums) {
   const hn::CappedTag<float, kFieldTile> d;
@@ -263,7 +264,7 @@ Expectation found(const Sums<kChannels>& sums) {
           static_cast<double>(hn::GetLane(hn::MaxOfLanes(d, excursion)))};
 }
 
-/// Plans and sums until what was expected is met: the bounds then hold.
+/// Plans and sums until the sums meet the expectation: then the bounds hold.
 template <int kChannels>
 void evaluate_tile(const FieldTables& tables, Tile<kChannels>& tile, FieldAccuracy accuracy,
                    Workplace<kChannels>& place) {
@@ -301,7 +302,7 @@ int run_tile(const FieldTables& tables, Tile<kChannels>& tile, FieldAccuracy acc
 }
 
 /// One pass over the area for one or two targets from `first` on, with the values if kChannels is odd. Tiles lie at
-/// multiples of kFieldTile whatever the area is.
+/// multiples of kFieldTile for any area.
 template <int kChannels>
 int run_pass(const FieldTables& tables, FieldAccuracy accuracy, int first, const Target& target) {
   thread_local Workplace<kChannels> place;

@@ -10,7 +10,7 @@
 namespace morphkit::warp::detail {
 namespace {
 
-/// Shorter than this, a line has no direction that double coordinates could tell: it is a point.
+/// A shorter line counts as a point: double coordinates do not hold its direction.
 constexpr double kPointLengthPx = 1e-9;
 /// Squares of coordinates and of their ratios must stay far from overflow.
 constexpr double kCoordinateLimitPx = 1e9;
@@ -20,7 +20,7 @@ constexpr double kCoordinateLimitPx = 1e9;
 }
 
 bool coordinates_ok(const Line& line) {
-  // Written so that NaN fails.
+  // In this form NaN fails.
   return std::abs(line.p.x) <= kCoordinateLimitPx && std::abs(line.p.y) <= kCoordinateLimitPx &&
          std::abs(line.q.x) <= kCoordinateLimitPx && std::abs(line.q.y) <= kCoordinateLimitPx;
 }
@@ -76,7 +76,7 @@ FieldTables::FieldTables(std::span<const FieldLine> lines, int targets)
   fill_singles();
 }
 
-/// Sorts the lines by kind and sets every entry to that of a line of weight 0.
+/// Sorts the lines by kind and fills every entry with a line of weight 0.
 void FieldTables::reserve_places(std::span<const FieldLine> lines, std::vector<int>& place) {
   wide_range_ = std::any_of(lines.begin(), lines.end(), [](const FieldLine& line) { return line.weight.b > 2; });
   for (const WeightKind kind : {WeightKind::kOne, WeightKind::kOneAndHalf, WeightKind::kTwo, WeightKind::kAny}) {
@@ -106,7 +106,7 @@ void FieldTables::fill(const FieldLine& line, int place) {
   along_x[i] = point ? 1.0 : d.x / size;
   along_y[i] = point ? 0.0 : d.y / size;
   length[i] = size;
-  // ((unit length)^p / (a + unit dist))^b, with what does not depend on the pixel taken out.
+  // ((unit length)^p / (a + unit dist))^b, with the factors that do not depend on the pixel taken out.
   const auto& [weight_a, weight_b, weight_p, unit] = line.weight;
   a[i] = weight_a / unit;
   b[i] = weight_b;
@@ -117,14 +117,14 @@ void FieldTables::fill(const FieldLine& line, int place) {
 }
 
 /// The displacement X' - X = (P' - P) + (M - I)(X - P), Beier and Neely 1992, sec. 3.1, with
-///     M = (d' d^T + s perp(d') perp(d)^T) / |d|^2,   s = |d| / |d'| along (the paper), 1 uniform (Parent 3.8.2).
-/// Forming M - I from differences of d' and d, never from M, makes equal lines displace by exactly nothing:
+///     M = (d' d^T + s perp(d') perp(d)^T) / |d|^2, s = |d| / |d'| along (the paper), 1 uniform (Parent 3.8.2). M - I
+/// is formed from differences of d' and d, never from M, so equal lines displace by exactly 0:
 ///     M - I = ((d' - d) d^T + perp(t) perp(d)^T),   t = s d' - d, both over |d|^2.
 void FieldTables::fill_target(const Line& output, const Line& target, LineScale scale, int channel, int place) {
   const size_t x = static_cast<size_t>(channel) * padded_ + static_cast<size_t>(place);
   const size_t y = x + static_cast<size_t>(padded_);
   if (is_point(output) || is_point(target)) {
-    // A point pair; or a line just turning through length 0, whose direction says nothing: its midpoint's displacement.
+    // A point pair, or a line that turns through length 0 and has no direction: the displacement of its midpoint.
     const cv::Point2d shift = 0.5 * ((target.p - output.p) + (target.q - output.q));
     at_[x] = shift.x;
     at_[y] = shift.y;
@@ -158,7 +158,7 @@ void FieldTables::fill_values(std::span<const FieldLine> lines, std::span<const 
   }
 }
 
-/// Only ratios of weights matter: the largest length factor becomes 1.
+/// Only ratios of weights matter, so the largest length factor becomes 1.
 void FieldTables::normalise_factors(std::span<const int> place) {
   double largest = -std::numeric_limits<double>::infinity();
   for (const int i : place) largest = std::max(largest, log2_factor[static_cast<size_t>(i)]);
@@ -192,7 +192,7 @@ const NodeTable& node_table() {
     constexpr double kMiddle = -0.5, kHalfWidth = (kFieldTile - 1) / 2.0;
     double offset[kFieldNodes];
     for (int j = 0; j < kFieldNodes; ++j) {
-      // The floats are what counts: the polynomials belong to them.
+      // The polynomials belong to the nodes as rounded to float.
       nodes.offset[j] =
           static_cast<float>(kMiddle + kHalfWidth * std::cos((2 * j + 1) * std::numbers::pi / (2 * kFieldNodes)));
       offset[j] = static_cast<double>(nodes.offset[j]);

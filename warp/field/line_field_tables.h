@@ -1,5 +1,5 @@
 #pragma once
-// What a LineField knows about its lines, laid out for the kernel. Internal to warp; tests may look inside.
+// The lines of a LineField, laid out for the kernel. Internal to warp; tests may include it.
 
 #include <algorithm>
 #include <span>
@@ -9,28 +9,29 @@
 
 namespace morphkit::warp::detail {
 
-/// A pixel whose a + distance is below this lies on the line: only the lines that it lies on count. Small beside a
-/// pixel, and large enough that (a + distance)^-8 stays in the range of a float.
+/// A pixel with a + distance below this lies on the line, and only lines that it lies on count for it. Small compared
+/// to a pixel, but large enough that (a + distance)^-8 stays in the range of a float.
 inline constexpr double kOnLinePx = 0x1p-14;
 
-/// What the range of all values counts as, px, when it is weighed how exact a channel has to be.
+/// The range of all values counts as this many px when the accuracy of the value channel is bounded.
 inline constexpr double kValueChannelRange = 32;
 
-/// The falloff exponents that the kernel knows a shorter way to than through logarithms.
+/// The falloff exponents for which the kernel needs no logarithm, and any other.
 enum class WeightKind { kOne, kOneAndHalf, kTwo, kAny };
 inline constexpr size_t kWeightKinds = 4;
 
-/// Lines of one kind are stored together and start at a multiple of this; so does every chunk that the kernel takes.
+/// Lines of one kind are stored together and start at a multiple of this, as does every chunk of the kernel.
 inline constexpr int kLineChunk = 16;
 
-/// Nodes of a tile, each way, at which sums of far lines are evaluated before they are interpolated.
+/// Nodes of a tile in each direction. Sums of far lines are evaluated at the nodes and interpolated between them.
 inline constexpr int kFieldNodes = 5;
 
-/// log2 of weights below this is as good as no weight.
+/// Weights with a log2 below this count as 0.
 inline constexpr double kLeastLog2 = -1e4;
 
-/// Chebyshev nodes over a tile's pixel centres, as offsets from the middle pixel, and the polynomials of Lagrange for
-/// them at every pixel centre: what is `value[j]` at node j is sum(basis[j][k] value[j]) at pixel k.
+/// Chebyshev nodes over a tile's pixel centres, as offsets from the middle pixel, and the Lagrange polynomials of the
+/// nodes at every pixel centre: from values `value[j]` at the nodes, the value at pixel k is sum over j of basis[j][k]
+/// value[j].
 struct NodeTable {
   float offset[kFieldNodes];
   alignas(64) float basis[kFieldNodes][kFieldTile];
@@ -48,9 +49,9 @@ struct LineGroup {
   size_t padded_end() const { return (end() + kLineChunk - 1) / kLineChunk * kLineChunk; }
 };
 
-/// Lines as arrays, one entry per line, sorted by kind. Gaps between groups are filled with lines of weight 0.
+/// Lines as arrays, one entry per line, sorted by kind. Lines of weight 0 fill the gaps between groups.
 ///
-/// A *channel* is a quantity that is spread by the weights and is affine in X for each line: the two coordinates of the
+/// A *channel* is a quantity that the weights average and that is affine in X for each line: the two coordinates of the
 /// displacement for every target, then the value (scaled to [0, kValueChannelRange] over all lines).
 class FieldTables {
  public:
@@ -64,7 +65,7 @@ class FieldTables {
   int padded() const { return padded_; }  ///< with the gaps; a multiple of kLineChunk
   std::span<const LineGroup> groups() const { return groups_; }
 
-  /// True if an exponent is above 2: weights may then leave the range of a float unless scaled for each block.
+  /// True if an exponent is above 2: weights may then leave the range of a float unless they are scaled for each tile.
   bool wide_range() const { return wide_range_; }
 
   double value_from_channel(double channel) const {
@@ -77,12 +78,12 @@ class FieldTables {
 
   // Geometry: P, unit vector from P to Q ((1, 0) for a point), length (0 for a point), px.
   std::vector<double> origin_x, origin_y, along_x, along_y, length;
-  // Weight: (length^p / (a + distance))^b. `factor` is length^(p b) over the largest such factor, 0 for padding; a
-  // point counts as length 1.
+  // Weight: (length^p / (a + distance))^b. `factor` is length^(p b) divided by the largest of all lines; 0 for padding.
+  // A point counts as length 1.
   std::vector<double> a, b, factor, log2_factor;
   std::vector<double> root;  ///< factor^(1/b) for kinds other than kAny
 
-  // The same as floats, where that will do. `power` is -b, `scale` log2_factor, at least kLeastLog2.
+  // The same as floats, where they are accurate enough. `power` is -b, `scale` log2_factor, at least kLeastLog2.
   std::vector<float> along_x_single, along_y_single, a_single, root_single, power_single, scale_single;
   std::vector<float> smooth_single;  ///< (b + 4 over 5): how the fifth derivative of a weight grows with b
 
@@ -110,7 +111,7 @@ void reference_point(const FieldTables& tables, double x, double y, std::span<co
                      std::span<double> means) noexcept;
 
 /// The Highway kernel behind LineField::evaluate; arguments as there, already checked.
-/// @return  how many pixels had to be taken from the reference.
+/// @return the number of pixels taken from the reference.
 int simd_evaluate(const FieldTables& tables, cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions,
                   cv::Mat1f* values);
 

@@ -1,5 +1,5 @@
-// The lines of a field as one tile of the output sees them, on the instruction set that is being compiled. Included by
-// warp/line_field_simd.cpp; the guard toggles accordingly.
+// The lines of a field relative to one tile of the output. Included by line_field_simd.cpp once per instruction set;
+// the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_
@@ -23,14 +23,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Offsets of a tile's pixels from its middle pixel: [-kHalf, kHalf) both ways.
 constexpr int kHalf = kFieldTile / 2;
-/// The farthest pixel centre of a tile from that of its middle pixel.
+/// The largest distance of a tile's pixel centres from the centre of its middle pixel.
 constexpr double kRadiusPx = 1.4142135623730951 * kHalf;
-/// log2 of about the largest weight of a tile, if weights are scaled: the nearest line of any pixel then stays 40 bits
-/// above what a float drops, and sums of many displacements far from overflow.
+/// log2 of about the largest weight of a tile, if weights are scaled. The weight of the line nearest to any pixel then
+/// stays 40 bits above the smallest float, and sums of many displacements stay far from overflow.
 constexpr double kScaledPeak = 80;
 constexpr double kUnitRoundoff = 0x1p-24;
 
-/// Where a tile is and what its channels are measured from: channel c of every line is taken relative to
+/// The place of a tile and the base of its channels: channel c of every line is taken relative to
 /// base[c] + base_x[c] kx + base_y[c] ky at offset (kx, ky).
 template <int kChannels>
 struct Tile {
@@ -43,15 +43,15 @@ struct Tile {
 /// One float for each line, in the order of the tables.
 using PerLine = std::vector<float>;
 
-/// What a tile knows of every line. An affine quantity is given by its value at the middle pixel and its slopes; those
-/// of the geometry are in the tables. Kept from tile to tile: only its sizes matter between uses.
+/// Every line relative to a tile. An affine quantity is given by its value at the middle pixel and its slopes; the
+/// slopes of the geometry are in the tables. Reused from tile to tile: only its sizes persist.
 template <int kChannels>
 struct View {
   PerLine distance;                                      // px, from the middle pixel
   PerLine across, before, after;                         // v; -u |Q - P|; (u - 1) |Q - P|
   std::array<PerLine, kChannels> at, slope_x, slope_y;   // relative to the base
   PerLine spread;                                        // px, the largest of any channel over the tile
-  PerLine turn;                                          // px, what slopes alone can do to it
+  PerLine turn;                                          // px, the part of it that comes from slopes
   PerLine weight_most;                                   // over the tile
   double total_least = 0;                                // of all lines, over the tile
   std::array<std::vector<double>, kChannels> at_double;  // before the base is known
@@ -89,7 +89,7 @@ HWY_INLINE V rooted_weight(V ratio) {
   return hn::Mul(ratio, ratio);
 }
 
-/// The weights of one vector of lines, the first of which is `line`, at a + distance = reach.
+/// The weights of one vector of lines, beginning with `line`, at a + distance = reach.
 template <WeightKind kKind, class D, class V = hn::Vec<D>>
 HWY_INLINE V lane_weight(D d, V reach, const FieldTables& tables, float scale, size_t line) {
   if constexpr (kKind == WeightKind::kAny) {
@@ -100,8 +100,8 @@ HWY_INLINE V lane_weight(D d, V reach, const FieldTables& tables, float scale, s
   }
 }
 
-/// Geometry, channels and a base: the mean of the lines' channels at the middle pixel under weights of about the right
-/// shape. Any base is correct; a good one keeps the differences small, so that only they are rounded.
+/// Computes geometry, channels and a base: the mean of the lines' channels at the middle pixel, with weights of roughly
+/// the right shape. Any base is correct; with a good one the differences are small, and only they are rounded.
 template <int kChannels>
 void look_at_lines(const FieldTables& tables, Tile<kChannels>& tile, View<kChannels>& view) {
   const hn::CappedTag<double, kLineChunk> d;
@@ -148,7 +148,7 @@ void look_at_lines(const FieldTables& tables, Tile<kChannels>& tile, View<kChann
   }
 }
 
-/// Channels relative to the base.
+/// Makes the channels relative to the base.
 template <int kChannels>
 void measure_from_base(const FieldTables& tables, const Tile<kChannels>& tile, View<kChannels>& view) {
   const hn::CappedTag<double, kLineChunk> d;
@@ -176,8 +176,8 @@ void measure_from_base(const FieldTables& tables, const Tile<kChannels>& tile, V
   }
 }
 
-/// The scale that takes the largest weight that can occur in the tile to about 2^kScaledPeak. Within a tile, the
-/// distance to the nearest line changes from kOnLinePx to kFieldTile at most: by 2^19, to the power of 8.
+/// The scale that brings the largest possible weight of the tile to about 2^kScaledPeak. Within a tile, the distance to
+/// the nearest line goes from kOnLinePx to kFieldTile at most: a ratio of 2^19, to the power of 8.
 template <int kChannels>
 float tile_scale(const FieldTables& tables, const View<kChannels>& view) {
   const hn::CappedTag<float, kLineChunk> d;

@@ -30,9 +30,9 @@ Jet encode_curve(double linear) {
   return {(1 + kOffset) * power - kOffset, (1 + kOffset) * power / (kGamma * linear)};
 }
 
-/// A smooth curve as cubic Hermite pieces, 32 to the octave, on [2^kFirstExponent, 2^kEndExponent). With exact values
-/// and slopes at the knots the error is |f''''| h^4 / 384 < 2.6e-9 relative for the curves here, far below half an ulp
-/// of float; the pieces join, so that rounding the double result keeps the curve monotone.
+/// A smooth curve as cubic Hermite pieces, 32 per octave, on [2^kFirstExponent, 2^kEndExponent). With exact values and
+/// slopes at the knots the error is |f''''| h^4 / 384 < 2.6e-9 relative for the curves here, far below half an ulp of
+/// float; the pieces join, so the curve stays monotone after the double result is rounded.
 template <int kFirstExponent, int kEndExponent>
 class CurveTable {
  public:
@@ -88,7 +88,7 @@ const EncodeTable& encode_table() noexcept {
 
 inline float decode(const DecodeTable& table, float value) noexcept {
   const float magnitude = std::fabs(value);
-  // Written so that NaN takes the straight piece and stays NaN.
+  // The comparison is negated so that NaN takes the straight piece and stays NaN.
   if (!(magnitude > static_cast<float>(kBreakSrgb))) return static_cast<float>(value / kSlope);
   return std::copysign(table(magnitude, decode_curve), value);
 }

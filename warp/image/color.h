@@ -1,5 +1,5 @@
 #pragma once
-// The sRGB transfer function (IEC 61966-2-1), extended to all of R by odd symmetry so that values below 0 and above 1
+// The sRGB transfer function (IEC 61966-2-1), extended to all real numbers by odd symmetry: values below 0 and above 1
 // survive a round trip.
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace morphkit::warp {
 
-/// Display-referred sRGB value -> linear light. Strictly follows the power curve and the straight piece of the
-/// standard; they change over where they truly meet (linear 0.0031306684, not the rounded 0.0031308), which makes both
-/// directions continuous and monotone at the price of 3e-8. NaN and infinities stay.
+/// Display-referred sRGB value -> linear light. Follows the power curve and the straight piece of the standard. They
+/// switch at their true intersection (linear 0.0031306684, not the rounded 0.0031308): both directions are then
+/// continuous and monotone, and differ from the standard by 3e-8 at most. NaN and infinities stay.
 /// Accuracy: within 1 ulp of the exact value. Cost: about 2 ns.
 float linear_from_srgb(float value) noexcept;
 

@@ -1,4 +1,4 @@
-// The specification of the kernels in color_rows_simd.cpp, and what they share.
+// The specification of the kernels in color_rows_simd.cpp, and code that both share.
 
 #include "warp/image/color_rows.h"
 
@@ -20,7 +20,7 @@ constexpr int kBucketShift = 23 - 10;
 constexpr std::uint32_t kFirstBucket = std::bit_cast<std::uint32_t>(0x1p-24F) >> kBucketShift;
 constexpr std::uint32_t kLastBucket = std::bit_cast<std::uint32_t>(1.0F) >> kBucketShift;
 
-/// Into [0, 1]; NaN becomes 0.
+/// Clamps to [0, 1]; NaN becomes 0.
 float unit(float value) noexcept {
   return value > 0.0F ? std::min(value, 1.0F) : 0.0F;
 }

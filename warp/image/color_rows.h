@@ -1,9 +1,8 @@
 #pragma once
-// Rows of pixels as rows of codes, for files and encoders: the sRGB curve, alpha made straight, luma and colour
+// Rows of pixels as rows of codes, for files and encoders: the sRGB curve, unpremultiplied alpha, luma and colour
 // differences.
 //
-// Everything here is of class E: what the vector kernels give equals the reference, to the bit, on every instruction
-// set.
+// Everything here is of class E: the vector kernels give the same bits as the reference on every instruction set.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +18,10 @@ class SrgbQuantizer {
  public:
   /// @param largest  the largest code, 255 or 65535.
   explicit SrgbQuantizer(int largest);
-  /// NaN and what lies below 0 give 0; what lies above 1 gives the largest code.
+  /// NaN and values below 0 give 0; values above 1 give the largest code.
   std::uint16_t operator()(float linear) const noexcept;
 
-  /// The one for codes of a type, made at the first call.
+  /// The quantizer for a type of code, made at the first call.
   template <typename Code>
   static const SrgbQuantizer& of();
 
@@ -32,9 +31,9 @@ class SrgbQuantizer {
   std::vector<std::uint16_t> first_;  ///< code at the beginning of each bucket of values
 };
 
-/// Pixels as interleaved codes. RGB (3 channels) is the picture over black; RGBA has straight alpha, and where nothing
-/// is covered no colour. Every code is the nearest (SrgbQuantizer; alpha: ties to even); what does not fit is clamped;
-/// NaN counts as 0.
+/// Pixels as interleaved codes. RGB (3 channels) is the picture over black; RGBA is unpremultiplied; transparent pixels
+/// get colour 0. Every code is the nearest (SrgbQuantizer; alpha: ties to even); values out of range are clamped; NaN
+/// counts as 0.
 /// @param channels  3 or 4.
 /// @param codes     pixels.size() * channels of them. Code: std::uint8_t or std::uint16_t.
 /// Cost: see tests/bench/codec_bench.cpp.
@@ -48,8 +47,8 @@ void reference_srgb_codes(std::span<const Pixel> pixels, int channels, Code* cod
 /// Bound on |display_from_linear - exact sRGB|, on the scale where white is 1: a 65th of a 16-bit code.
 inline constexpr float kDisplayTolerance = 0x1p-22F;
 
-/// Linear light -> display-referred sRGB, both clamped to [0, 1]; NaN becomes 0. Unlike srgb_from_linear it is made of
-/// nothing but float additions, multiplications and square roots, so that vectors do it alike.
+/// Linear light -> display-referred sRGB, both clamped to [0, 1]; NaN becomes 0. Unlike srgb_from_linear it uses only
+/// float additions, multiplications and square roots, so that vector code gives the same bits.
 /// Accuracy: kDisplayTolerance.
 float display_from_linear(float linear) noexcept;
 
@@ -58,11 +57,11 @@ class DisplayRow {
  public:
   explicit DisplayRow(std::size_t width);
   std::size_t width() const noexcept { return width_; }
-  /// Plane 0..3 (red, green, blue, alpha). One value before the first and one behind the last repeat them.
+  /// Plane 0..3 (red, green, blue, alpha). One value before the first and one after the last repeat them.
   float* plane(int channel) noexcept { return values_.data() + offset(channel); }
   const float* plane(int channel) const noexcept { return values_.data() + offset(channel); }
 
-  /// Vectors may read and write this many values before and behind a plane's.
+  /// Vectors may read and write this many values before and after a plane.
   static constexpr std::size_t kMargin = 64;
 
  private:
@@ -72,13 +71,13 @@ class DisplayRow {
   std::vector<float> values_;
 };
 
-/// Pixels into display-referred light: over black, or with the colour divided by alpha where there is any (straight).
-/// The row may be wider than the pixels, at least one: its end repeats the last one.
+/// Pixels into display-referred light: over black, or unpremultiplied where alpha is not 0 (`straight`). The row may be
+/// wider than the pixels, of which there is at least one; it then repeats the last pixel.
 void to_display(std::span<const Pixel> pixels, bool straight, DisplayRow& row) noexcept;
 void reference_to_display(std::span<const Pixel> pixels, bool straight, DisplayRow& row) noexcept;
 
-/// The colours of every `across`-th column (1 or 2) of the mean of two rows, which may be the same. Halving across
-/// weighs a column and its neighbours by 1/4 1/2 1/4, so that the result lies on the even columns.
+/// The colours of every `across`-th column (1 or 2) of the mean of two rows, which may be the same. With `across` = 2 a
+/// column and its neighbours weigh 1/4, 1/2, 1/4, so the result lies on the even columns.
 /// @param out  as wide as the rows, or half of it, rounded up; its alpha is not touched.
 void mean_row(const DisplayRow& upper, const DisplayRow& lower, int across, DisplayRow& out) noexcept;
 void reference_mean_row(const DisplayRow& upper, const DisplayRow& lower, int across, DisplayRow& out) noexcept;
@@ -89,7 +88,7 @@ struct CodeWeights {
   float weight[4];
 };
 
-/// The nearest code (ties to even) of a weighted sum of a row's planes, which must lie within Code.
+/// The nearest code (ties to even) of a weighted sum of the planes. The sum must be in the range of Code.
 template <typename Code>
 void weighted_codes(const DisplayRow& row, const CodeWeights& weights, Code* codes) noexcept;
 template <typename Code>

@@ -1,5 +1,5 @@
-// The kernels of color_rows.h: float lanes over the pixels of a row. They do what the reference does, operation by
-// operation and without fused multiply-adds, so the results are the same bits.
+// The kernels of color_rows.h: float lanes over the pixels of a row. They repeat the operations of the reference one by
+// one, without fused multiply-adds, so the results are the same bits.
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ using FloatVec = hn::Vec<Floats>;
 using Ints = hn::RebindToSigned<Floats>;
 constexpr size_t kMostLanes = 16;
 
-/// Into [0, 1]; NaN becomes 0.
+/// Clamps to [0, 1]; NaN becomes 0.
 HWY_INLINE FloatVec unit(FloatVec value) {
   const Floats d;
   const FloatVec positive = hn::IfThenElseZero(hn::Gt(value, hn::Zero(d)), value);
@@ -45,7 +45,7 @@ HWY_INLINE FloatVec display(FloatVec value) {
   return hn::IfThenElse(hn::Lt(value, hn::Set(d, kCurveBreak)), straight, hn::Min(sum, hn::Set(d, 1.0F)));
 }
 
-/// Calls fn with each whole vector of pixels, and with a padded copy of what remains; fn(values, first, count).
+/// Calls fn(values, first, count) with each whole vector of pixels, and with a padded copy of the rest.
 template <class Fn>
 HWY_INLINE void for_vectors(std::span<const Pixel> pixels, const Fn& fn) {
   const size_t lanes = hn::Lanes(Floats());
@@ -59,14 +59,14 @@ HWY_INLINE void for_vectors(std::span<const Pixel> pixels, const Fn& fn) {
 
 // ---- Interleaved codes.
 
-/// Codes of clamped linear values. The curve is close enough to tell the nearest code except beside the boundary of two
-/// codes: there the quantizer is asked.
+/// Codes of clamped linear values. The curve is accurate enough to choose the nearest code, except near the boundary
+/// between two codes: there the quantizer decides.
 template <typename Code>
 HWY_INLINE hn::Vec<Ints> codes_of(FloatVec linear, const SrgbQuantizer& quantize) {
   const Floats d;
   const Ints di;
   constexpr auto kTop = static_cast<float>(std::numeric_limits<Code>::max());
-  // The curve's error, as much again for the float values of the quantizer's boundaries and for what is rounded here.
+  // The error of the curve, and as much again for the quantizer's boundaries as floats and for the rounding here.
   constexpr float kDoubt = 2 * kDisplayTolerance * kTop;
   const FloatVec exact = hn::Mul(display(linear), hn::Set(d, kTop));
   hn::Vec<Ints> codes = hn::NearestInt(exact);

@@ -74,7 +74,7 @@ Difference compare(const Image& a, const Image& b) {
       for (int x = 0; x < a.cols; ++x) add_pixel(rows[static_cast<std::size_t>(y)], x, a(y, x), b(y, x));
     }
   });
-  // Rows are summed in their order, whoever computed them: floating-point sums depend on it.
+  // Rows are summed in order, no matter which thread computed them: floating-point sums depend on the order.
   Difference result;
   double squared_sum = 0;
   for (int y = 0; y < a.rows; ++y) {

@@ -11,7 +11,7 @@
 namespace morphkit::warp {
 namespace {
 
-/// Blocks smaller than this are the C library's business.
+/// Smaller blocks are left to the C library.
 constexpr std::size_t kLeastBytes = std::size_t{1} << 20;
 
 constexpr std::size_t kCacheLine = 64;
@@ -50,7 +50,7 @@ class Pool : public cv::MatAllocator {
   void* take(std::size_t bytes) const {
     {
       const std::lock_guard lock(mutex_);
-      // The one that was used last is the likeliest to be in a cache still.
+      // The block used last is the most likely to be still in a cache.
       for (auto i = kept_.rbegin(); i != kept_.rend(); ++i) {
         if (i->bytes != bytes) continue;
         void* const memory = i->memory;
@@ -63,7 +63,7 @@ class Pool : public cv::MatAllocator {
     constexpr std::size_t kHugePage = std::size_t{2} << 20;
     void* memory = nullptr;
     if (::posix_memalign(&memory, bytes >= kHugePage ? kHugePage : kCacheLine, bytes) != 0) throw std::bad_alloc();
-    if (bytes >= kHugePage) ::madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: it may be refused
+    if (bytes >= kHugePage) ::madvise(memory, bytes, MADV_HUGEPAGE);  // only a hint: the kernel may refuse
     return memory;
   }
 

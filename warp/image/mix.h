@@ -1,5 +1,5 @@
 #pragma once
-// Two rows of pixels into one, by weight.
+// Mixes two rows of pixels by weight.
 
 #include <span>
 
@@ -7,10 +7,10 @@
 
 namespace morphkit::warp {
 
-/// C = (1 - alpha) A + alpha B, in place of A. Where alpha is 0 or below the result is A, where it is 1 or above it is
-/// B, bit for bit, whatever the other holds.
-/// @param alpha  of the rows' length, or of length 1 for all pixels.
-/// @pre a and b have one length and do not overlap.
+/// C = (1 - alpha) A + alpha B, written to A. Where alpha <= 0 the result is A, and where alpha >= 1 it is B, bit for
+/// bit, even if the other holds NaN.
+/// @param alpha  one value per pixel, or a single value for all pixels.
+/// @pre a and b have the same length and do not overlap.
 /// Accuracy: equal to reference_mix_row on every instruction set, but for the sign and payload of NaNs.
 void mix_row(std::span<Pixel> a, std::span<const Pixel> b, std::span<const float> alpha) noexcept;
 

@@ -29,7 +29,7 @@ class Integral {
     const double at = pixel(j, channel);
     const double slope = (pixel(j - 1, channel) + at) / 2;
     const double next_slope = (at + pixel(j + 1, channel)) / 2;
-    // The Hermite basis sums to u: written from `at`, a constant is integrated without error.
+    // The Hermite basis sums to u: in this form, a constant is integrated without error.
     return u * at + u * (1 - u) * (1 - u) * (slope - at) - u * u * (1 - u) * (next_slope - at);
   }
 
@@ -45,8 +45,8 @@ class Integral {
   std::span<const Pixel> source_;
 };
 
-/// Overshoot: a coverage outside [0, 1] would have no meaning, a colour outside has. As the bicubic sampler does it,
-/// what is no number becomes the lower bound.
+/// Overshoot: alpha outside [0, 1] has no meaning and is clamped; colours outside have one. As in the bicubic sampler,
+/// NaN becomes the lower bound.
 float finish(double value, int channel) {
   constexpr double kMax = std::numeric_limits<float>::max();
   const double lower = channel == 3 ? 0 : -kMax;

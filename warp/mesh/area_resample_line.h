@@ -1,6 +1,6 @@
 #pragma once
-// What the reference and the kernel of resample_line agree on: which pixels are drawn and which part of the source each
-// one sees. Internal.
+// Which pixels are drawn, and which part of the source each covers; shared by the reference and the kernel of
+// resample_line. Internal.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct Interval {
   double length() const { return static_cast<double>(last - first) + (end - begin); }
 };
 
-/// [a, b], widened about its centre where it is too short, within the source.
+/// [a, b] within the source, widened about its centre if it is too short.
 inline Interval interval_of(double a, double b, std::size_t source_pixels) {
   if (b - a < kShortestIntervalPx) {
     const double centred = (a + b) / 2 - kShortestIntervalPx / 2;
@@ -34,7 +34,7 @@ inline Interval interval_of(double a, double b, std::size_t source_pixels) {
   return {static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(last), a - first, b - last};
 }
 
-/// The output pixels that [line.begin, line.end] touches: from .first to before .second.
+/// The output pixels that [line.begin, line.end] touches: [.first, .second).
 inline std::pair<std::size_t, std::size_t> covered_pixels(const LineEdges& line, std::size_t out_pixels) {
   const double size = static_cast<double>(out_pixels);
   const double begin = std::clamp(line.begin, 0.0, size);

@@ -2,10 +2,10 @@
 // pixel as a weighted sum in float lanes over channels.
 //
 // What keeps float arithmetic close to the double reference:
-//  - A piece of an interval is a polynomial in its position within the source pixel, multiplied out of u and 1 - u, so
-//    that short pieces keep their relative precision; nothing is the difference of two running sums of a line.
-//  - The mean is written as "the first pixel plus weighted differences from it": a constant comes out unchanged, to the
-//    bit, so an opaque image stays opaque.
+//  - A piece of an interval is a polynomial in its position within the source pixel, as a product of u and 1 - u, so
+//    that short pieces keep their relative precision. No value is the difference of two running sums of a line.
+//  - The mean is written as "the first pixel plus weighted differences from it": a constant stays the same to the bit,
+//    so an opaque image stays opaque.
 //  - Long runs of whole pixels are summed pairwise.
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 #include "warp/mesh/area_resample_line.h"
 
-// Vectors are kept in structures here, which targets without a fixed vector size do not allow; such machines have NEON
-// too.
+// This code keeps vectors in structures, which targets without a fixed vector size do not allow. Such machines have
+// NEON too.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/mesh/area_resample_simd.cpp"
@@ -32,12 +32,12 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Output pixels whose weights are computed together. Half as many cost a tenth of the speed.
+/// Output pixels with weights computed together. Half as many would be 10 % slower.
 constexpr size_t kBlock = 32;
 
-/// What a block's pixels weigh, relative to the first pixel r of their intervals. The channel-wise mean is
+/// The weights of a block's pixels, relative to the first pixel r of their intervals. The mean of a channel is
 ///   r + before (p[first - 1] - r) + after (p[first + 1] - r) + beyond (p[first + 2] - r) + far (p[first + 3] - r)
-/// of an interval that ends in the pixel where it begins or in one of the next two, and otherwise
+/// if the interval ends in the pixel where it begins or in one of the next two, and otherwise
 ///   r + before (p[first - 1] - r) + tail_after (p[first + 1] - r) + inverse sum (p[first + 1 .. last - 1] - r)
 ///     + head_before (p[last - 1] - r) + head_at (p[last] - r) + head_beyond (p[last + 1] - r).
 struct Weights {
@@ -46,18 +46,18 @@ struct Weights {
   alignas(64) int32_t first[kBlock], last[kBlock];
 };
 
-/// What the intervals of a block have in common.
+/// Properties of all intervals of a block.
 struct Shape {
   bool all_whole = true;  ///< each is one whole source pixel
   bool any_whole = false;
-  ptrdiff_t lowest = 0, highest = 0;  ///< source pixels that are asked for
-  int longest = 1;                    ///< the pixels that one goes beyond its first: 1 for none or one, 2, 3 for more
+  ptrdiff_t lowest = 0, highest = 0;  ///< source pixels in use
+  int longest = 1;                    ///< the most pixels after an interval's first: 1 for none or one, 2, 3 for more
 };
 
 using Doubles = hn::CappedTag<double, 8>;
 using DoubleVec = hn::Vec<Doubles>;
 
-/// Intervals in the form of warp::Interval.
+/// Several values of warp::Interval.
 struct Intervals {
   DoubleVec first, last, begin, end, length;
 };
@@ -158,7 +158,7 @@ Shape weigh(const double* edges, size_t source_pixels, Weights& weights) {
 using Floats = hn::CappedTag<float, 4>;
 using FloatVec = hn::Vec<Floats>;
 
-/// One channel group of a source line; kSafe: positions beyond the ends are asked for and mean the pixel at the end.
+/// One channel group of a source line; kSafe: indices beyond the ends occur and give the pixel at the end.
 template <bool kSafe>
 class Channels {
  public:
@@ -192,8 +192,8 @@ HWY_INLINE FloatVec short_mean(const Channels<kSafe>& source, const Weights& wei
   return hn::Add(from, sum);
 }
 
-/// The sum of `count` pixels' differences from `from`. A float's rounding errors grow with the number of additions in a
-/// row: above a few dozen the sum is halved.
+/// The sum of `count` pixels' differences from `from`. Rounding errors grow with the number of consecutive additions,
+/// so a sum of more than a few dozen is split in half.
 template <class Source>
 FloatVec sum_of(const Source& source, ptrdiff_t begin, ptrdiff_t count, FloatVec from) {
   constexpr ptrdiff_t kInARow = 64;
@@ -256,7 +256,7 @@ void mixed_block(std::span<const Pixel> source, const Weights& weights, std::spa
   }
 }
 
-/// Pixels that are one whole source pixel are copied, whatever their bits.
+/// Output pixels that are exactly one source pixel are copied bit for bit.
 void copy_whole(std::span<const Pixel> source, const double* edges, const Weights& weights, std::span<Pixel> out) {
   for (size_t k = 0; k < out.size(); ++k) {
     const double first = weights.first[k];
@@ -264,7 +264,7 @@ void copy_whole(std::span<const Pixel> source, const double* edges, const Weight
   }
 }
 
-/// @param edges  kBlock + 1, of which out.size() + 1 count.
+/// @param edges  kBlock + 1 edges; the first out.size() + 1 count.
 void resample_block(std::span<const Pixel> source, const double* edges, std::span<Pixel> out) {
   Weights weights;
   const Shape shape = weigh(edges, source.size(), weights);

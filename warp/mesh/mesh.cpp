@@ -6,7 +6,7 @@
 namespace morphkit::warp {
 namespace {
 
-/// Whether the vertex is at home on its side of the outline, within `tolerance`; inner vertices always are.
+/// Whether the vertex is on its side of the outline, within `tolerance`; always true for inner vertices.
 bool on_outline(const Mesh& mesh, int column, int row, const cv::Rect2d& outline, double tolerance) {
   const cv::Point2d at = mesh.at(column, row);
   const auto near = [&](double value, double side) { return std::abs(value - side) <= tolerance; };
@@ -15,7 +15,7 @@ bool on_outline(const Mesh& mesh, int column, int row, const cv::Rect2d& outline
          (row != mesh.rows - 1 || near(at.y, outline.y + outline.height));
 }
 
-/// The polyline through a column as x of y, asked at rising y.
+/// The polyline through a column as x of y, evaluated at rising y.
 class ColumnWalk {
  public:
   ColumnWalk(const Mesh& mesh, int column) : mesh_(mesh), column_(column) {}
@@ -32,7 +32,7 @@ class ColumnWalk {
   int column_, row_ = 0;
 };
 
-/// Calls broken(column, row, kind) for what is out of order along the rows of `mesh`: kind 0 against the left
+/// Calls broken(column, row, kind) for every vertex out of order along the rows of `mesh`: kind 0 against the left
 /// neighbour, 1 across the column on the left, 2 across the column on the right.
 template <typename Broken>
 void check_columns(const Mesh& mesh, const Broken& broken) {

@@ -1,5 +1,5 @@
 #pragma once
-// A grid of vertices that is laid over an image, and where such a grid folds.
+// A grid of vertices over an image, and the places where such a grid folds.
 
 #include <cstddef>
 #include <optional>
@@ -14,7 +14,7 @@ namespace morphkit::warp {
 struct Mesh {
   int columns = 0;                    ///< vertices in a row, >= 2
   int rows = 0;                       ///< vertices in a column, >= 2
-  std::vector<cv::Point2d> vertices;  ///< columns * rows; what takes a mesh relies on all three
+  std::vector<cv::Point2d> vertices;  ///< columns * rows; every function of a mesh relies on all three
 
   const cv::Point2d& at(int column, int row) const { return vertices[index(column, row)]; }
   cv::Point2d& at(int column, int row) { return vertices[index(column, row)]; }
@@ -30,7 +30,7 @@ Mesh uniform_mesh(int columns, int rows, const cv::Rect2d& outline);
 /// Rows become columns, x becomes y.
 Mesh transposed(const Mesh& mesh);
 
-/// A vertex that stands where it must not.
+/// A vertex in a wrong place.
 struct MeshVertex {
   int column = 0, row = 0;
   bool operator==(const MeshVertex&) const = default;
@@ -43,7 +43,7 @@ std::optional<MeshVertex> off_outline(const Mesh& mesh, const cv::Rect2d& outlin
 /// Moves the border vertices onto `outline`; the inner ones stay.
 void snap_to_outline(Mesh& mesh, const cv::Rect2d& outline);
 
-/// How a vertex breaks the order of its mesh.
+/// How a vertex violates the order of its mesh.
 enum class MeshFoldKind {
   kLeftOfNeighbour,   ///< not right of its left neighbour in the row
   kAboveNeighbour,    ///< not below its upper neighbour in the column
@@ -58,9 +58,9 @@ struct MeshFold {
   MeshFoldKind kind = MeshFoldKind::kLeftOfNeighbour;
 };
 
-/// Every vertex that is out of order, each once, by the first kind that applies; the first kinds first, then row by
-/// row. Where there is none, the polylines through the columns are functions of y that keep their order at every
-/// height, and the rows likewise of x: that is what two passes need. Cost: O(vertices).
+/// Every vertex that is out of order, once, with the first kind that applies. Sorted by kind, then row by row. Without
+/// folds, the polylines through the columns are functions of y that keep their order at every height, and those through
+/// the rows are such functions of x, as two passes need. Cost: O(vertices).
 std::vector<MeshFold> find_folds(const Mesh& mesh);
 
 }  // namespace morphkit::warp

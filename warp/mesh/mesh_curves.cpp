@@ -9,11 +9,11 @@
 namespace morphkit::warp {
 namespace {
 
-/// How much of the distance to the polyline beside it a curve may stray from its own polyline. Below a half, so that
-/// two neighbours that stray towards each other do not meet.
+/// How far a curve may stray from its own polyline, as a part of the distance to the next polyline. Below a half, so
+/// that two neighbours that stray towards each other do not meet.
 constexpr double kStray = 0.45;
 
-/// The gap to a neighbour that is not there: the outermost curves have one each.
+/// The gap on the outer side of the outermost curves, which have no neighbour there.
 constexpr double kFree = 1e300;
 
 /// Knots closer than this count as one.
@@ -24,13 +24,13 @@ Secant secant(std::span<const double> x, std::span<const double> y, std::size_t 
   return width > kNoWidth ? Secant{width, (y[i + 1] - y[i]) / width} : Secant{kNoWidth, 0};
 }
 
-/// The segment of rising knots that x lies in, the first or last one beyond the ends.
+/// The segment of rising knots that contains x; beyond the ends, the first or last one.
 std::size_t segment_of(std::span<const double> knots, double x) {
   const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
   return static_cast<std::size_t>(after - knots.begin()) - 1;
 }
 
-/// A slope of 0 at the border, monotone as it is, would smear the border over many pixels.
+/// A slope of 0 at the border is monotone, but it would smear the border over many pixels.
 double lively(double slope, double secant) {
   return std::abs(slope) < std::abs(secant) / 2 ? secant / 2 : slope;
 }
@@ -55,7 +55,7 @@ void spline_slopes(MeshSpline spline, std::span<const double> x, std::span<const
   for (std::size_t i = 0; i < x.size(); ++i) slopes[i] = slope_at(spline, x, y, i);
 }
 
-/// A coordinate on one curve: between knots `first` and the next one, at the fraction u.
+/// A coordinate on one curve: between knot `first` and the next, at the fraction u.
 struct CurveFamily::Place {
   std::size_t first;
   double u, width;
@@ -88,7 +88,7 @@ double CurveFamily::linear(const Place& place) const {
 double CurveFamily::cubic(const Place& place) const {
   const double u = place.u, v = 1 - u;
   const double a = across_[place.first], b = across_[place.first + 1];
-  // The Hermite basis as a correction of the straight line: nothing where the curve is straight.
+  // The Hermite basis as a correction of the straight line: 0 where the curve is straight.
   const double rise = b - a;
   return std::lerp(a, b, u) +
          u * v *
@@ -135,7 +135,7 @@ void LineKnots::resize(std::size_t count) {
 
 void LineKnots::prepare(MeshSpline kind, double most) {
   spline = kind;
-  // Cut first: slopes of knots that are cut afterwards would be too steep for them.
+  // Clamp first: if knots were clamped later, their slopes would be too steep.
   for (double& place : from) place = std::clamp(place, 0.0, most);
   for (std::size_t i = 1; i < to.size(); ++i) {
     to[i] = std::max(to[i], to[i - 1]);
@@ -181,7 +181,7 @@ void LineKnots::edges(std::span<double> edges) {
   const auto at = [&](double place) { return edges.begin() + static_cast<std::ptrdiff_t>(whole_from(place, n)); };
   std::fill(edges.begin(), at(to.front()), from.front());
   std::fill(at(to.back()), edges.end(), from.back());
-  if (spline != MeshSpline::kCatmullRom) return;  // it may overshoot and come back
+  if (spline != MeshSpline::kCatmullRom) return;  // it may overshoot and turn back
   for (std::size_t i = 1; i < n; ++i) edges[i] = std::max(edges[i], edges[i - 1]);
 }
 
@@ -207,7 +207,7 @@ double MeshPass::at(double along, double x, double most, Hints& hints, std::size
   }
   while (segment > 0 && x < to.intercept(segment, along, hints.to)) --segment;
   while (segment + 2 < curves && x >= to.intercept(segment + 1, along, hints.to)) ++segment;
-  // The slopes at both ends of the segment know the next curve on either side.
+  // The slopes at both ends of the segment depend on the next curve on either side.
   const std::size_t first = segment > 0 ? segment - 1 : 0;
   const std::size_t count = std::min(segment + 3, curves) - first;
   thread_local LineKnots knots;

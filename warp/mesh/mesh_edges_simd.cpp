@@ -1,5 +1,5 @@
 // The kernel behind LineKnots::edges: a cubic per segment, in double lanes over output pixel edges. No fused
-// multiply-add, so that every instruction set gives the same bits.
+// multiply-adds, so every instruction set gives the same bits.
 
 #include <cstddef>
 #include <span>

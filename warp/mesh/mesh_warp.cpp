@@ -18,14 +18,14 @@ namespace {
 
 constexpr double kMaxCoordinate = 1e12;
 
-/// How far a border vertex may be from the outline, and that from the image, px: rounding.
+/// Allowed distance of a border vertex from the outline, and of the outline from the image, px: rounding.
 constexpr double kOffOutline = 1e-6;
 
-/// Columns that are resampled together. Each is copied into a line of its own; 16 pixels are four cache lines of a
-/// row, and 16 lines of 1080 pixels stay in the second-level cache.
+/// Columns that are resampled together. Each is copied into its own line. 16 pixels are four cache lines of a row, and
+/// 16 lines of 1080 pixels stay in the second-level cache.
 constexpr int kBlock = 16;
 
-/// Rows that are asked for ahead: a column's pixels are too far apart for the machine to guess.
+/// Rows that are prefetched: the pixels of a column are too far apart for the hardware to predict.
 constexpr int kAhead = 6;
 
 void fetch(const Pixel* pixels, std::size_t count) {
@@ -92,13 +92,13 @@ PassOrder choose(const Mesh& from, const Mesh& to, PassOrder asked) {
                                                                       : PassOrder::kRowsFirst;
 }
 
-/// Resamples lines of one pass. Kept per thread: scanlines nearby find their places from the last one's.
+/// Resamples lines of one pass. Kept per thread: a scanline starts its searches where the last one ended.
 class LineResampler {
  public:
   LineResampler(const MeshPass& pass, Border border, int length)
       : pass_(pass), border_(border), hints_(pass.hints()), edges_(static_cast<std::size_t>(length) + 1) {}
 
-  /// The scanline whose centre is at `index` + 0.5.
+  /// Resamples the scanline with its centre at `index` + 0.5.
   void operator()(int index, std::span<const Pixel> source, std::span<Pixel> out) {
     pass_.knots(index + 0.5, static_cast<double>(source.size()), hints_, knots_);
     knots_.edges(edges_);
@@ -132,7 +132,7 @@ Image resample_rows(const Image& source, const MeshPass& pass, Border border, in
 Image resample_columns(const Image& source, const MeshPass& pass, Border border, int height) {
   Image out = pooled_image({source.cols, height});
   const auto in_length = static_cast<std::size_t>(source.rows), out_length = static_cast<std::size_t>(height);
-  // A few pixels more than a line: lines a power of two apart would fall onto the same lines of the cache.
+  // A few pixels more than a line: lines a power of two apart would compete for the same cache lines.
   const std::size_t in_stride = in_length + 5, out_stride = out_length + 5;
   const auto block = [&](int first, LineResampler& resample, std::vector<Pixel>& in, std::vector<Pixel>& bent) {
     const auto width = static_cast<std::size_t>(std::min(kBlock, source.cols - first));
@@ -164,8 +164,7 @@ Image resample_columns(const Image& source, const MeshPass& pass, Border border,
 
 namespace detail {
 
-/// Both passes in the frame in which the first one moves pixels along rows: for kColumnsFirst, that of the transposed
-/// meshes.
+/// Both passes, in a frame where the first pass moves pixels along rows. For kColumnsFirst, the meshes are transposed.
 class MeshTables {
  public:
   MeshTables(Mesh from, Mesh to, const MeshWarpOptions& options)
@@ -271,7 +270,7 @@ Map MeshWarp::map(cv::Size size) const {
   const cv::Rect2d outline = outline_of(turned ? transposed(to()) : to());
   const auto columns = static_cast<std::size_t>(width);
 
-  // Where every pixel of a column comes from in the intermediate image, once per column.
+  // The source interval of every pixel of a column in the intermediate image, once per column.
   std::vector<LineKnots> knots(columns);
   for_rows(width, [&](int begin, int end) {
     MeshPass::Hints hints = tables_->second().hints();

@@ -17,13 +17,13 @@ class MeshTables;
 
 /// The curves through the vertices and along the scanlines.
 enum class MeshSpline {
-  kMonotone,    ///< cubic of Fritsch and Carlson: folds nowhere unless the vertices do
+  kMonotone,    ///< cubic of Fritsch and Carlson: folds only if the vertices do
   kCatmullRom,  ///< the sources' choice; overshoots between uneven vertices
   kLinear       ///< straight
 };
 
 enum class PassOrder {
-  kAuto,         ///< the one that folds nowhere; of two the one that keeps more area
+  kAuto,         ///< the order without folds; of two, the one that keeps more area
   kRowsFirst,    ///< pixels move along rows, then along columns
   kColumnsFirst  ///< the other way round
 };
@@ -33,13 +33,13 @@ struct MeshWarpOptions {
   PassOrder order = PassOrder::kAuto;
 };
 
-/// The mesh of the intermediate image in `order` (not kAuto): x from one mesh, y from the other. It may fold though
-/// neither end does: a part turns by 90 degrees or more.
+/// The mesh of the intermediate image in `order` (not kAuto): x from one mesh, y from the other. It may fold although
+/// neither end does: then a part turns by 90 degrees or more.
 Mesh intermediate_mesh(const Mesh& from, const Mesh& to, PassOrder order);
 
-/// The bottleneck of `order` (not kAuto): the part, in [0, 1], of the area which both ends have that the intermediate
-/// image lacks. 0: nothing is lost between the passes. Over all cells: sum(max(0, need - has)) / sum(need), need the
-/// smaller of a cell's areas in `from` and `to`, has its signed area in the intermediate mesh. Cost: O(vertices).
+/// The bottleneck of `order` (not kAuto): the part of the area, in [0, 1], that both ends have but the intermediate
+/// image lacks. 0: the passes lose nothing. Over all cells: sum(max(0, need - has)) / sum(need). `need` is the smaller
+/// of a cell's areas in `from` and `to`; `has` is its signed area in the intermediate mesh. Cost: O(vertices).
 double area_lost(const Mesh& from, const Mesh& to, PassOrder order);
 
 /// Bends an image from one mesh onto another.
@@ -47,9 +47,9 @@ class MeshWarp {
  public:
   /// @param from  in pixels of the source image, outline: the whole image.
   /// @param to    in pixels of the output; any outline. Same columns and rows as `from`.
-  /// Meshes that fold are accepted: what is out of order is squashed to nothing, never drawn mirrored.
-  /// @throws std::invalid_argument on unlike or too small grids, border vertices that are not on an upright rectangle,
-  /// coordinates that are not finite or beyond 1e12.
+  /// Meshes that fold are accepted: folded parts shrink to nothing, they are never drawn mirrored.
+  /// @throws std::invalid_argument if the grids differ or are too small, if border vertices are not on an upright
+  /// rectangle, or if coordinates are not finite or beyond 1e12.
   MeshWarp(Mesh from, Mesh to, const MeshWarpOptions& options = {});
 
   const Mesh& from() const noexcept;
@@ -57,24 +57,25 @@ class MeshWarp {
   PassOrder order() const noexcept;  ///< the order in use, never kAuto
 
   /// @param source  linear, premultiplied RGBA; has the size of the outline of `from`.
-  /// @param border  kTransparent: nothing outside the outline of `to`, whose edge is antialiased; kClamp: the colour of
-  ///                the edge goes on.
+  /// @param border  kTransparent: transparent outside the outline of `to`, with an antialiased edge; kClamp: the colour
+  ///                of the edge continues.
   /// @return        image of `size`.
-  /// @throws std::invalid_argument if source is empty or not of the size of `from`'s outline, or `border` is kMirror.
-  /// Accuracy: every output pixel is the mean of the interval of the line that it covers; the running sum of a line is
-  /// interpolated by a cubic, so that magnified pixels blend smoothly, identity lines come back bit for bit, and
-  /// constants stay constant. Alpha is kept in [0, 1]. Cost: O(source + output) pixels whatever the warp, parallel over
-  /// lines; memory: one intermediate image. See tests/bench/mesh_bench.cpp.
+  /// @throws std::invalid_argument if `source` is empty or differs in size from the outline of `from`, or if `border`
+  /// is kMirror.
+  /// Accuracy: every output pixel is the mean over its interval of the line. The running sum of a line is interpolated
+  /// by a cubic, so magnified pixels blend smoothly, lines that do not move stay the same bit for bit, and constants
+  /// stay constant. Alpha is clamped to [0, 1]. Cost: O(source + output) pixels for any warp, parallel over lines;
+  /// memory: one intermediate image. See tests/bench/mesh_bench.cpp.
   Image apply(const Image& source, cv::Size size, Border border = Border::kTransparent) const;
 
-  /// The two halves of `apply`. Between them lies an image of output width x source height for kRowsFirst, else source
+  /// The two halves of `apply`. The image between them has output width x source height for kRowsFirst, else source
   /// width x output height.
   Image first_pass(const Image& source, cv::Size size, Border border = Border::kTransparent) const;
   Image second_pass(const Image& between, cv::Size size, Border border = Border::kTransparent) const;
 
-  /// Where the output position comes from, source pixels: the exact map of the two passes; NaN outside the outline.
-  /// (Where curves of kCatmullRom overshoot along a line, the map turns back and shows it; `apply` squashes it.) Cost:
-  /// O(columns + rows).
+  /// The source position of an output position, source px: the exact map of the two passes; NaN outside the outline.
+  /// (Where kCatmullRom curves overshoot along a line, this map turns back; `apply` draws that part with no width.)
+  /// Cost: O(columns + rows).
   cv::Point2d source_of(cv::Point2d output) const;
 
   /// source_of of every pixel centre. Parallel over rows. Memory: the map, and the knots of every column of pixels.
@@ -84,8 +85,8 @@ class MeshWarp {
   std::shared_ptr<const detail::MeshTables> tables_;
 };
 
-/// Spreads one number per vertex over the output: linear along the columns of the mesh, then linear along each row of
-/// pixels. Beyond the outline the nearest value goes on.
+/// Interpolates one number per vertex over the output: linear along the columns of the mesh, then linear along each row
+/// of pixels. Beyond the outline, the nearest value.
 class MeshValues {
  public:
   /// @param values  one per vertex, row by row.

@@ -27,7 +27,7 @@ class Axis {
  public:
   explicit Axis(const cv::Vec2d& row) : row_(row) {
     if constexpr (Filter::kIsSlab) {
-      // The slab |u| < 1/2, seen through the reconstruction's kernel: in source pixels, along the slab's normal.
+      // The slab |u| < 1/2, filtered by the reconstruction kernel: in source pixels, along the slab's normal.
       const double pixels = 1 / cv::norm(row);
       half_ = std::sqrt(pixels * pixels - static_cast<double>(kOwnSquare)) / 2;
       row_ *= pixels;
@@ -63,7 +63,7 @@ cv::Vec2d held(const MapPoint& position) {
           static_cast<double>(std::clamp(position[1], -kFarthestPosition, kFarthestPosition))};
 }
 
-/// From one neighbour to the next, or from the pixel to the only one that is there.
+/// The difference between both neighbours, or between the pixel and its only neighbour.
 std::optional<cv::Vec2d> derivative(const Map& positions, cv::Point at, cv::Point step) {
   const auto neighbour = [&](cv::Point p) -> std::optional<cv::Vec2d> {
     if (!cv::Rect(cv::Point(), positions.size()).contains(p) || !is_finite(positions(p))) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<cv::Vec2d> derivative(const Map& positions, cv::Point at, cv::Poin
   return (after.value_or(middle) - before.value_or(middle)) * (before && after ? 0.5 : 1.0);
 }
 
-/// Where one direction has no neighbour, the map is taken as turning and scaling.
+/// In a direction without neighbours, the map counts as a similarity.
 cv::Matx22d jacobian(const Map& positions, cv::Point at) {
   const auto along_x = derivative(positions, at, {1, 0});
   const auto along_y = derivative(positions, at, {0, 1});
@@ -114,7 +114,8 @@ double ramp(double value, float begin, float end) {
   return way * way * (3 - 2 * way);
 }
 
-/// How far points lie from the middle that have the variance of a square of side sigma, less a source pixel's own.
+/// Distance of the points from the middle. Their variance is that of a square of side sigma, less that of a source
+/// pixel.
 double point_distance(double sigma) {
   const double side = std::min(sigma, static_cast<double>(kSumEnd));
   const double variance = (side * side - static_cast<double>(kOwnSquare)) / 12;

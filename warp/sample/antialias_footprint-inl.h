@@ -1,5 +1,5 @@
-// Where an output pixel lies in the source, and how far it reaches: in lanes over pixels. For antialias_simd.cpp, once
-// per instruction set.
+// The position and extent of output pixels in the source, in lanes over pixels. Included by antialias_simd.cpp once per
+// instruction set.
 
 #if defined(MORPHKIT_WARP_ANTIALIAS_FOOTPRINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_ANTIALIAS_FOOTPRINT_INL_H_
@@ -21,26 +21,26 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, 16>;
 using FloatVec = hn::Vec<Floats>;
 
-/// Pixels whose footprints are told together.
+/// Pixels with footprints computed together.
 constexpr size_t kBlock = 64;
 
-/// Interleaved positions of a block, of the pixels one to the left and right of it, and of the rows above and below
-/// (the block's own where there is none).
+/// Interleaved positions of a block, of the pixels to its left and right, and of the rows above and below (the block's
+/// own row where there is none).
 struct Neighbours {
   const float *above = nullptr, *centre = nullptr, *below = nullptr;
   bool has_above = false, has_below = false;
 };
 
-/// Of the pixels of a block: u and v are row . (source - position), zero weight from u_reach, v_reach on.
+/// The footprints of a block: u and v are row . (source - position); from u_reach, v_reach on the weight is 0.
 struct Footprints {
-  alignas(64) float blend[kBlock];  ///< 0: points; 1: nothing but a sum
+  alignas(64) float blend[kBlock];  ///< 0: points; 1: a sum only
   alignas(64) float ux[kBlock], uy[kBlock], vx[kBlock], vy[kBlock];
   alignas(64) float u_half[kBlock], v_half[kBlock];  ///< of the area's slabs
   alignas(64) float u_reach[kBlock], v_reach[kBlock];
   alignas(64) float x_reach[kBlock], y_reach[kBlock];  ///< of both together, source px
 };
 
-/// J by rows: (a b) is the change of x along the output's x and y, (c d) that of y.
+/// J by rows: (a b) is the change of x along the output's x and y, (c d) the change of y.
 struct Jacobian {
   FloatVec a, b, c, d;
 };
@@ -51,9 +51,9 @@ struct Points {
   FloatVec x, y;
 };
 
-/// Whether every pixel of the vector's worth from the block's i-th on is a point: both singular values of J below
-/// kRampBegin. They are so if and only if the polynomial whose roots are their squares is positive at its square q, and
-/// q lies right of its minimum. What is not a number is no point.
+/// Whether every pixel of the vector that begins at the block's i-th pixel is a point: both singular values of J are
+/// below kRampBegin. With q = kRampBegin^2, this holds if and only if the polynomial that has the squared singular
+/// values as roots is positive at q and has its minimum left of q. NaN is not a point.
 HWY_INLINE bool all_points(const Neighbours& n, size_t i) {
   if (!n.has_above && !n.has_below) return false;
   const Floats d;
@@ -81,7 +81,7 @@ HWY_INLINE FloatVec held(FloatVec position) {
   return hn::Min(hn::Max(position, hn::Neg(far)), far);
 }
 
-/// From one neighbour to the next, or from the pixel to the only one that is there.
+/// The difference between both neighbours, or between the pixel and its only neighbour.
 struct Derivative {
   HWY_INLINE Derivative(const Points& before, hn::Mask<Floats> has_before, const Points& middle, const Points& after,
                         hn::Mask<Floats> has_after)
@@ -106,7 +106,7 @@ HWY_INLINE hn::Mask<Floats> all_or_none(bool all) {
   return hn::FirstN(Floats(), all ? hn::Lanes(Floats()) : 0);
 }
 
-/// Where one direction has no neighbour, the map is taken as turning and scaling.
+/// In a direction without neighbours, the map counts as a similarity.
 HWY_INLINE Jacobian jacobian(const Neighbours& n, size_t i, const Points& centre) {
   const Points left(n.centre + 2 * i - 2), right(n.centre + 2 * i + 2), above(n.above + 2 * i), below(n.below + 2 * i);
   const Derivative x(left, finite(left), centre, right, finite(right));
@@ -116,7 +116,7 @@ HWY_INLINE Jacobian jacobian(const Neighbours& n, size_t i, const Points& centre
           hn::IfThenElse(x.known, x.y, hn::Neg(y.x)), hn::IfThenElse(y.known, y.y, x.x)};
 }
 
-/// J = U diag(sigma) V^T, as far as it is needed.
+/// The parts of J = U diag(sigma) V^T in use.
 struct Decomposition {
   HWY_INLINE explicit Decomposition(const Jacobian& j) {
     const Floats d;
@@ -139,11 +139,11 @@ struct Decomposition {
   }
 
   FloatVec det, larger, smaller;  ///< determinant of J, singular values
-  FloatVec xx, xy, yy;            ///< the projection P1 on the first column of U; that on the second, P2, is 1 - P1
+  FloatVec xx, xy, yy;            ///< the projection P1 on the first column of U; P2 = 1 - P1 projects on the second
 };
 
-/// The rows of the inverse of J with its singular values held in [1, most]:
-/// J^T P1 / (sigma1 held1) + sign(det J) adj(J) P2 / (sigma1 held2), which does without dividing by sigma2.
+/// The rows of the inverse of J with its singular values clamped to [1, most]:
+/// J^T P1 / (sigma1 held1) + sign(det J) adj(J) P2 / (sigma1 held2), which needs no division by sigma2.
 HWY_INLINE void invert(const Jacobian& j, const Decomposition& s, float most, size_t i, Footprints& footprints) {
   const Floats d;
   const FloatVec one = hn::Set(d, 1.0F);
@@ -162,7 +162,7 @@ HWY_INLINE void invert(const Jacobian& j, const Decomposition& s, float most, si
   row(j.b, j.d, hn::Neg(j.c), j.a, footprints.vx, footprints.vy);
 }
 
-/// Makes a row of the inverse a normal of length 1 and tells how far the slab goes on either side.
+/// Makes a row of the inverse a normal of length 1, and computes the extent of the slab on either side.
 HWY_INLINE void make_slab(float* x, float* y, float* half, float* reach) {
   const Floats d;
   const FloatVec row_x = hn::Load(d, x);
@@ -198,8 +198,8 @@ HWY_INLINE FloatVec ramp(FloatVec value, float begin, float end) {
   return hn::Mul(hn::Mul(held, held), hn::NegMulAdd(hn::Set(d, 2.0F), held, hn::Set(d, 3.0F)));
 }
 
-/// The sums of a block. What has none is not filled in but for `blend`.
-/// @param blend  of the vector's worth of pixels from the block's i-th on: 0 no sum, 1 nothing else.
+/// The sums of a block. For pixels without a sum only `blend` is set.
+/// @param blend  for the vector of pixels that begins at the block's i-th: 0 no sum, 1 a sum only.
 template <typename Filter>
 HWY_INLINE void make_footprints(const Jacobian& j, const Decomposition& shape, FloatVec blend, size_t i,
                                 Footprints& footprints) {

@@ -1,7 +1,7 @@
-// Areas that are made of points; see antialias.h. For antialias_simd.cpp, once per instruction set.
+// Areas made of points; see antialias.h. Included by antialias_simd.cpp once per instruction set.
 //
-// Every pixel of a segment has a first point. What further points there are goes into lists, so that pixels which are
-// no more than a point cost no more than that, wherever they lie.
+// Every pixel of a segment has a first point. Further points go into lists, so a pixel that is a point has the cost of
+// a point, wherever it lies.
 
 #if defined(MORPHKIT_WARP_ANTIALIAS_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_ANTIALIAS_POINTS_INL_H_
@@ -24,10 +24,11 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Pixels of a row whose points are read together.
+/// Pixels of a row with points read together.
 constexpr size_t kSegment = 8 * kBlock;
 
-/// How far points lie from the middle that have the variance of a square of side sigma, less a source pixel's own.
+/// Distance of the points from the middle. Their variance is that of a square of side sigma, less that of a source
+/// pixel.
 HWY_INLINE FloatVec point_distance(FloatVec sigma) {
   const Floats d;
   const FloatVec side = hn::Min(sigma, hn::Set(d, kSumEnd));
@@ -35,7 +36,7 @@ HWY_INLINE FloatVec point_distance(FloatVec sigma) {
   return hn::Sqrt(hn::Max(hn::Mul(ramp(sigma, kRampBegin, kRampEnd), variance), hn::Zero(d)));
 }
 
-/// A point, or a way, for each of a vector's worth of pixels.
+/// A point or a displacement for each pixel of a vector.
 struct Way {
   FloatVec x, y;
 };
@@ -46,7 +47,7 @@ HWY_INLINE Way operator-(const Way& a, const Way& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
 }
 
-/// Where the points of areas are, from the middle.
+/// Displacements of the points of areas from the middle.
 struct AreaPoints {
   HWY_INLINE AreaPoints(const Jacobian& j, const Decomposition& s) {
     const Floats d;
@@ -80,16 +81,16 @@ struct AreaPoints {
   FloatVec four_part;  ///< 0: two points; 1: four
 };
 
-/// kPoints further points for each of some of a segment's pixels.
+/// kPoints further points each for some pixels of a segment.
 template <size_t kPoints>
 class PointList {
  public:
   void clear() { size_ = 0; }
   size_t size() const { return size_; }
-  /// The pixel, counted in the segment, of an entry.
+  /// The pixel of an entry, as an index in the segment.
   size_t at(size_t entry) const { return static_cast<size_t>(at_[entry]); }
 
-  /// Of the pixels from `at` on those in the mask.
+  /// Adds the pixels from `at` on that are in the mask.
   HWY_INLINE void add(hn::Mask<Floats> mask, size_t at, const Way (&points)[kPoints]) {
     const Floats d;
     const hn::RebindToSigned<Floats> di;
@@ -109,7 +110,7 @@ class PointList {
   }
 
  private:
-  // Vectors are stored whole.
+  // Room for whole vectors.
   static constexpr size_t kRoom = kSegment + hn::MaxLanes(Floats());
   float positions_[kPoints][2 * kRoom];
   int32_t at_[kRoom];
@@ -125,12 +126,12 @@ class SegmentPoints {
     blends_.clear();
   }
 
-  /// A vector's worth of pixels that are a point each.
+  /// Adds a vector of pixels that are a point each.
   HWY_INLINE void add_points(const Points& middles, size_t at) {
     hn::StoreInterleaved2(middles.x, middles.y, Floats(), first_ + 2 * at);
   }
 
-  /// A vector's worth of pixels that are a point each, but for those in `areas`.
+  /// Adds a vector of pixels that are a point each, except those in `areas`.
   HWY_INLINE void add_areas(const Points& middles, hn::Mask<Floats> areas, const AreaPoints& points, size_t at) {
     const Floats d;
     const Way middle{middles.x, middles.y};
@@ -151,7 +152,7 @@ class SegmentPoints {
                           first_ + 2 * at);
   }
 
-  /// The colours of the segment, of out.size() pixels.
+  /// Reads the colours of the segment, out.size() pixels.
   void read(const Image& source, Border border, std::span<Pixel> out) {
     reconstruct_row(source, {reinterpret_cast<const MapPoint*>(first_), out.size()}, Kernel::kBicubic, border, out);
     if (pairs_.size() > 0) read_pairs(source, border, out);

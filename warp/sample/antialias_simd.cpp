@@ -1,8 +1,8 @@
-// The kernel behind antialiased sampling. Footprints are told in lanes over pixels of the output, weights in lanes over
-// pixels of the source, colours are summed in lanes over channels.
+// The kernel behind antialiased sampling. Footprints are computed in lanes over pixels of the output, weights in lanes
+// over pixels of the source, and colours in lanes over channels.
 //
-// A mean is written as "the nearest pixel plus weighted differences from it": a constant comes out unchanged, to the
-// bit, so an opaque image stays opaque.
+// A mean is written as "the nearest pixel plus weighted differences from it": a constant stays the same to the bit, so
+// an opaque image stays opaque.
 
 #include <algorithm>
 #include <array>
@@ -34,12 +34,12 @@ HWY_BEFORE_NAMESPACE();
 namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 
-/// The positions of a band, with what lies around each row.
+/// The positions of a band, with the neighbours of each row.
 class Band {
  public:
   explicit Band(const Map& positions) : positions_(positions), width_(static_cast<size_t>(positions.cols)) {}
 
-  /// Of kBlock pixels; those beyond the edge of the band are not numbers.
+  /// The neighbours of kBlock pixels; beyond the edge of the band they are NaN.
   Neighbours around(int y, size_t x) {
     const bool first = y == 0;
     const bool last = y == positions_.rows - 1;
@@ -74,7 +74,7 @@ class Band {
   std::array<std::array<MapPoint, kBlock + 2>, 3> edge_;
 };
 
-/// The rows of a band, a segment after the other.
+/// The rows of a band, segment by segment.
 template <typename Filter>
 class Rows {
  public:
@@ -114,7 +114,7 @@ class Rows {
     if (any_sum) add_sums(y, begin, at);
   }
 
-  /// Of a vector's worth of pixels. @return  whether any has a sum.
+  /// Adds the areas of a vector of pixels. @return  whether any has a sum.
   HWY_NOINLINE bool add_areas(const Neighbours& around, size_t i, size_t at) {
     constexpr bool kHasPoints = Filter::kHasPoints;
     const Floats d;

@@ -1,4 +1,4 @@
-// The weighted mean of the source over a footprint. For antialias_simd.cpp, once per instruction set.
+// The weighted mean of the source over a footprint. Included by antialias_simd.cpp once per instruction set.
 
 #if defined(MORPHKIT_WARP_ANTIALIAS_SUM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_ANTIALIAS_SUM_INL_H_
@@ -25,10 +25,10 @@ namespace morphkit::warp::detail {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// No footprint reaches farther: that of a sheared area, 22.6 (1/2 + 2), is the largest.
+/// No footprint reaches farther, px. The largest is a sheared area: 22.6 (1/2 + 2).
 constexpr int kFarthest = 64;
 
-/// Round numbers between -128 and 2^22.
+/// For values between -128 and 2^22.
 HWY_INLINE int floor_of(float value) {
   return static_cast<int>(value + 128) - 128;
 }
@@ -42,7 +42,7 @@ class PixelSum {
 #if HWY_TARGET == HWY_SCALAR
   HWY_INLINE explicit PixelSum(const Pixel& from) : from_(from) {}
 
-  /// @param count  1: that is how many weights there are.
+  /// @param count  1, the number of weights.
   HWY_INLINE void add(const float* pixels, FloatVec weights, size_t count) {
     if (count == 0) return;
     weight_ += hn::GetLane(weights);
@@ -68,7 +68,7 @@ class PixelSum {
     weight_ = even_ = odd_ = hn::Zero(d);
   }
 
-  /// As many weights as there are lanes, those of `count` pixels first and then zeros.
+  /// One weight per lane: first those of `count` pixels, then zeros.
   HWY_INLINE void add(const float* pixels, FloatVec weights, size_t count) {
     weight_ = hn::Add(weight_, weights);
     for (size_t i = 0; i < count; i += 2 * kPixels) {
@@ -115,11 +115,11 @@ class PixelSum {
 #endif
 };
 
-/// A footprint among the source's pixels. Columns and rows are counted from the pixel that the position is in.
+/// A footprint among the source's pixels. Columns and rows are counted from the pixel that contains the position.
 struct Place {
   Place(float position, int size, Border border) {
     position = std::clamp(position, -kFarthestPosition, kFarthestPosition);
-    // Farther out than a footprint reaches, all pixels are the same, or mirrored ones.
+    // Farther out than any footprint reaches, all pixels are the same, or mirrored.
     if (position < -kFarthest || position > static_cast<float>(size) + kFarthest) {
       const double whole = std::floor(static_cast<double>(position));
       base = static_cast<int>(border == Border::kMirror ? std::fmod(whole, 2.0 * size)
@@ -148,7 +148,7 @@ class RowWeights {
     v_steps_ = hn::Mul(hn::Set(d, f.vx[i]), hn::Iota(d, 0));
   }
 
-  /// Goes to the row at `dy` from the position. What lies outside begin() .. end() weighs nothing.
+  /// Goes to the row at `dy` from the position. Outside begin() .. end() weights are 0.
   HWY_INLINE void set_row(float dy) {
     u_row_ = f_.uy[i_] * dy;
     v_row_ = f_.vy[i_] * dy;
@@ -159,7 +159,7 @@ class RowWeights {
   float begin() const { return begin_; }
   float end() const { return end_; }
 
-  /// From the pixel whose centre is `dx` from the position.
+  /// Weights from the pixel with its centre at `dx` from the position.
   HWY_INLINE FloatVec at(float dx) const {
     const Floats d;
     const FloatVec u = hn::Add(hn::Set(d, u_row_ + f_.ux[i_] * dx), u_steps_);
@@ -168,10 +168,10 @@ class RowWeights {
   }
 
  private:
-  /// Where a coordinate of the footprint is within its reach, along a row.
+  /// The part of a row where a coordinate of the footprint is within its reach.
   struct Stretch {
     HWY_INLINE Stretch(float slope, float coordinate_reach) {
-      // Nearly parallel to the row, it may reach as far as it likes.
+      // Nearly parallel to the row, the reach is unlimited.
       constexpr float kLeast = 1e-6F;
       inverse = std::copysign(1 / std::max(std::abs(slope), kLeast), slope);
       reach = coordinate_reach * std::abs(inverse);
@@ -197,7 +197,7 @@ class Summer {
   }
 
  private:
-  /// The negative lobes overshoot; a coverage outside [0, 1] would have no meaning, a colour outside has.
+  /// The negative lobes overshoot. Alpha outside [0, 1] has no meaning and is clamped; colours outside have one.
   static Pixel finished(const Pixel& mean) {
     constexpr float kMax = std::numeric_limits<float>::max();
     Pixel result;

@@ -1,4 +1,4 @@
-// The kernels of the antialiasing filters in vectors. For antialias_simd.cpp, once per instruction set.
+// The kernels of the antialiasing filters in vectors. Included by antialias_simd.cpp once per instruction set.
 
 #if defined(MORPHKIT_WARP_SAMPLE_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_SAMPLE_FILTERS_INL_H_
@@ -45,8 +45,8 @@ HWY_INLINE FloatVec axis_weight(MitchellFilter, FloatVec x, FloatVec) {
   return hn::IfThenElse(hn::Lt(a, hn::Set(tag, 1.0F)), inside, outside);
 }
 
-/// sinc(x) sinc(x / 3): its zeros, times the polynomial in z = x^2 that agrees with what is left at the seven Chebyshev
-/// nodes of [0, 9]; off by less than 9e-6 before rounding.
+/// sinc(x) sinc(x / 3): a factor for its zeros, times the polynomial in z = x^2 that agrees with the other factor at
+/// the seven Chebyshev nodes of [0, 9]. The error is below 9e-6 before rounding.
 HWY_INLINE FloatVec axis_weight(LanczosFilter, FloatVec x, FloatVec) {
   const Floats tag;
   const FloatVec one = hn::Set(tag, 1.0F);

@@ -13,8 +13,8 @@ namespace morphkit::warp::detail {
 //   kName         its name in the public interface.
 //   kMostStretch  source px per output px at which a footprint stops growing.
 //   kHasPoints    small areas are made of points (antialias.h).
-//   kIsSlab       the weight along an axis is a box seen through the reconstruction kernel, so its width and reach
-//                 depend on the footprint. Otherwise it is weight(u) within kReach output px.
+//   kIsSlab the weight along an axis is a box filtered by the reconstruction kernel, so its width and reach depend on
+//                 the footprint. Otherwise it is weight(u) within kReach output px.
 
 /// The mean over the pixel's square.
 struct AreaFilter {

@@ -1,4 +1,4 @@
-// The plain form of reconstruct_row; reconstruct_simd.cpp is the fast one.
+// The plain form of reconstruct_row; reconstruct_simd.cpp has the fast one.
 
 #include "warp/sample/reconstruct.h"
 
@@ -11,9 +11,9 @@
 namespace morphkit::warp::detail {
 namespace {
 
-// A kernel is separable and weighs kTaps samples, the first of which lies kBefore pixels before the position's floor;
-// columns are combined first. Both kernels are written as "one tap plus weighted differences from it": a constant comes
-// out unchanged, to the bit, so an opaque image stays opaque. The order of the operations is part of the specification.
+// A kernel is separable and weighs kTaps samples; the first lies kBefore pixels before the position's floor. Columns
+// are combined first. Both kernels are written as "one tap plus weighted differences from it": a constant stays the
+// same to the bit, so an opaque image stays opaque. The order of the operations is part of the specification.
 
 struct Bilinear {
   static constexpr int kTaps = 2;
@@ -28,8 +28,8 @@ struct Bilinear {
   float w1_;
 };
 
-/// Cubic convolution with a = -1/2, third order accurate, which is Catmull-Rom: Keys, "Cubic Convolution Interpolation
-/// for Digital Image Processing", IEEE ASSP 29 (1981), eq. 15.
+/// Cubic convolution with a = -1/2, which is Catmull-Rom, accurate to third order: Keys, "Cubic Convolution
+/// Interpolation for Digital Image Processing", IEEE ASSP 29 (1981), eq. 15.
 struct Bicubic {
   static constexpr int kTaps = 4;
   static constexpr int kBefore = 1;
@@ -41,11 +41,12 @@ struct Bicubic {
   float down(const float (&tap)[kTaps]) const {
     return tap[1] + (w0_ * (tap[0] - tap[1]) + (w2_ * (tap[2] - tap[1]) + w3_ * (tap[3] - tap[1])));
   }
-  /// In the order that suits taps that lie side by side in a vector.
+  /// In the order that suits taps side by side in a vector.
   float across(const float (&tap)[kTaps]) const {
     return (w0_ * (tap[0] - tap[1]) + w2_ * (tap[2] - tap[1])) + (tap[1] + w3_ * (tap[3] - tap[1]));
   }
-  /// The negative lobes overshoot; a coverage outside [0, 1] would have no meaning, a colour outside has. NaN stays.
+  /// The negative lobes overshoot. Alpha outside [0, 1] has no meaning and is clamped; colours outside have one. NaN
+  /// stays.
   static void finish(Pixel& pixel) { pixel[3] = std::min(std::max(pixel[3], 0.0F), 1.0F); }
 
  private:

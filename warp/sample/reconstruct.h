@@ -1,6 +1,6 @@
 #pragma once
-// Colours between pixels: an image read at points, whatever the distance between them. Internal to warp; tests and
-// benchmarks may look inside.
+// Colours between pixels: reads an image at points, for any distance between them. Internal to warp; tests and
+// benchmarks may include it.
 
 #include <span>
 
@@ -11,17 +11,17 @@ namespace morphkit::warp::detail {
 
 enum class Kernel { kNearest, kBilinear, kBicubic };
 
-/// The colour at each position; no allocation. A position on a pixel centre gives that pixel to the bit, and a constant
-/// image gives its constant. Bicubic is Catmull-Rom, with alpha kept in [0, 1]. A position's colour does not depend on
-/// the positions beside it.
-/// @pre the spans have one length and do not overlap; `source` is not empty.
+/// The colour at each position; no allocation. A position on a pixel centre gives that pixel bit for bit, and a
+/// constant image gives its constant. Bicubic is Catmull-Rom, with alpha clamped to [0, 1]. A position's colour does
+/// not depend on the positions beside it.
+/// @pre the spans have the same length and do not overlap; `source` is not empty.
 /// Accuracy: equal to reference_reconstruct_row on every instruction set, but for the sign and payload of NaNs.
-/// Cost: see bench/sample; positions whose taps reach over the border take about twenty times as long.
+/// Cost: see tests/bench/sample_bench.cpp; positions whose taps reach over the border take about twenty times as long.
 void reconstruct_row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border,
                      std::span<Pixel> out) noexcept;
 
-/// What reconstruct_row computes, one position after the other in plain arithmetic: the specification of the kernel,
-/// and its way over borders.
+/// The specification of reconstruct_row, in plain arithmetic, one position after the other. The kernel calls it at
+/// borders.
 void reference_reconstruct_row(const Image& source, std::span<const MapPoint> positions, Kernel kernel, Border border,
                                std::span<Pixel> out) noexcept;
 

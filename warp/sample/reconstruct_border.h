@@ -1,5 +1,5 @@
 #pragma once
-// What the reference and the kernel of reconstruct_row agree on: how an image goes on beyond its border. Internal.
+// How an image continues beyond its border; shared by the reference and the kernel of reconstruct_row. Internal.
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@
 
 namespace morphkit::warp::detail {
 
-/// A position on one axis as the pixel before it and the way to the next.
+/// A position on one axis: the pixel before it, and the fraction of the way to the next.
 struct Place {
   std::int64_t base;
   float fraction;
 };
 
-/// Finds the place of any finite position, counted from the centre of pixel 0, without overflow: a position farther out
-/// than the widest kernel reaches is replaced by one that sees the same pixels.
+/// The place of any finite position, counted from the centre of pixel 0, without overflow: a position beyond the reach
+/// of the widest kernel is replaced by one that reads the same pixels.
 inline Place place(double position, int size, Border border) {
   constexpr double kReach = 4;
   if (border == Border::kMirror) {

@@ -12,7 +12,8 @@
 #include "warp/sample/reconstruct.h"
 #include "warp/sample/reconstruct_border.h"
 
-// Vectors are kept in arrays here, which targets without a fixed vector size do not allow; such machines have NEON too.
+// This code keeps vectors in arrays, which targets without a fixed vector size do not allow. Such machines have NEON
+// too.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/sample/reconstruct_simd.cpp"
@@ -35,27 +36,27 @@ void run_row(const Image& source, std::span<const MapPoint> positions, Kernel ke
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Pixels that are prepared together. A row of a warp wanders over many source rows, which the hardware does not
-/// foresee; this is how far ahead of their use they are fetched.
+/// Pixels that are prepared together. A row of a warp crosses many source rows, which the hardware cannot predict; taps
+/// are fetched this many pixels ahead of their use.
 constexpr size_t kBatch = 64;
 
 /// Sums are written this many pixels at a time.
 constexpr size_t kGroup = 4;
 
-/// What becomes of a pixel.
+/// How a pixel is computed.
 enum Fate : int32_t { kPlain, kOnCentre, kAtBorder };
 
 struct Batch {
   const uint8_t* tap[kBatch];  // the first
   alignas(64) int32_t x[kBatch], y[kBatch], fate[kBatch];
-  // Bilinear: the fractions, and what a vector that is read from the last of them takes in. Bicubic: four rows of
-  // kBatch, of which that of tap 1 is not used.
+  // Bilinear: the fractions, and room for a vector that begins at the last one. Bicubic: four rows of kBatch; the row
+  // of tap 1 is not used.
   alignas(64) float across[4 * kBatch + 16], down[4 * kBatch];
   bool any_special, all_special;
 };
 
-/// The source, and the positions whose taps all exist: there nothing need be asked about the border. Counted from the
-/// point at which a pixel's place is [i, i + 1).
+/// The source, and the area of positions with all taps inside: there the border does not matter. Counted from the point
+/// at which a pixel's place is [i, i + 1).
 struct Area {
   const uint8_t* data;
   size_t step;
@@ -65,7 +66,7 @@ struct Area {
 template <class Taps>
 Area area_of(const Image& source) {
   constexpr int kAfter = Taps::kTaps - 1 - Taps::kBefore;
-  // Positions below 2^22 are exact to a quarter pixel and better: nothing is lost by counting from centres.
+  // Positions below 2^22 are exact to a quarter pixel and better: counting from centres loses nothing.
   const auto end = [](int size) { return static_cast<float>(std::min(size - kAfter, 1 << 22)); };
   return {source.data, source.step[0], static_cast<float>(Taps::kBefore), end(source.cols), end(source.rows)};
 }
@@ -98,7 +99,7 @@ struct BicubicTaps {
   static constexpr int kBefore = 1;
   static constexpr float kCentre = 0.5F;
 
-  /// Tap 1, from which the others' differences are weighed, has no weight.
+  /// Tap 1 has no weight: the weighted differences are taken from it.
   static HWY_INLINE void weigh(Lane f, size_t i, float* to) {
     const Lanes d;
     const Lane one = hn::Set(d, 1.0F);
@@ -113,7 +114,7 @@ struct BicubicTaps {
   static HWY_INLINE void sum(const Batch& batch, const Batch& next, size_t step, size_t count, Pixel* out);
 };
 
-/// Positions to places, fates and weights. Pixels that are not plain get taps that exist.
+/// Turns positions into places, fates and weights. Pixels that are not plain get some existing taps.
 template <class Taps>
 HWY_INLINE void prepare(const Area& area, const MapPoint* positions, Batch& batch) {
   const Lanes d;
@@ -155,7 +156,7 @@ HWY_INLINE void prepare(const Area& area, const MapPoint* positions, Batch& batc
   }
 }
 
-/// Downwards through the output, the lowest tap row is usually the one not yet in the cache.
+/// Going down the output, the lowest row of taps is usually not in the cache yet.
 template <class Taps>
 HWY_INLINE void fetch(const Batch& next, size_t i, size_t step) {
   __builtin_prefetch(next.tap[i] + (Taps::kTaps - 1) * (step + sizeof(Pixel)));
@@ -220,11 +221,11 @@ HWY_INLINE void bicubic_columns(const uint8_t* tap, size_t step, const float* we
   }
 }
 
-/// The weighted sum of four pixels' columns, those of a pixel as (0 + 2) + (1 + 3). Column 1 is what the others are
-/// taken relative to, and enters as it is.
+/// The weighted sum of four pixels' columns, for each pixel as (0 + 2) + (1 + 3). The other columns are relative to
+/// column 1, which is added unchanged.
 #if HWY_MAX_BYTES >= 64
 
-/// Weight k of four pixels, each for a block of its own.
+/// Weight k of four pixels, each for its own block.
 HWY_INLINE Lane four_weights(const float* weights) {
   const Lanes d;
   const hn::Repartition<uint8_t, Lanes> d8;
@@ -259,7 +260,7 @@ HWY_INLINE void bicubic_four(const Batch& batch, size_t i, size_t step, const La
 
 #elif HWY_MAX_BYTES >= 32
 
-/// Weight k of two pixels, the first or the last of the four that `weights` are for, each for a block of its own.
+/// Weight k of the first or last two of the four pixels in `weights`, each for its own block.
 HWY_INLINE Lane two_weights(const float* weights, bool last) {
   const Lanes d;
   const hn::Repartition<uint8_t, Lanes> d8;
