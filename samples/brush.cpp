@@ -211,7 +211,7 @@ void Canvas::glow(Point center, float sigma_x, float sigma_y, const Color& color
       const Point d = Point(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) - center;
       const float u = (d.x * cosine + d.y * sine) / sigma_x;
       const float v = (d.y * cosine - d.x * sine) / sigma_y;
-      // Reaches zero at 3.2 sigma, so that the box's edge does not show.
+      // Reaches zero at 3.2 sigma, so the edge of the box is invisible.
       const float bell = std::max(0.0F, std::exp(-0.5F * (u * u + v * v)) - 0.006F);
       const float alpha = brush.opacity * bell * (brush.clip != nullptr ? brush.clip->at(x, y) : 1.0F);
       if (alpha > 0) {
@@ -249,7 +249,7 @@ void paint_lock(Canvas& canvas, const Lock& lock, Dice& dice, const Mask* clip) 
       const Point wobble(dice.between(-0.4F, 0.4F) * lock.jitter_px, dice.between(-0.4F, 0.4F) * lock.jitter_px);
       line.push_back(lock.first[i] * (1 - across) + lock.second[i] * across + wobble + Point(slide, slide * 0.5F));
     }
-    // Neighbouring strands share a tone: that is what makes a lock and not a doormat.
+    // Neighbouring strands share a tone: this makes it a lock and not a doormat.
     const float tone = 0.65F * value_noise(Point(across * 9, 0.5F), 5) + 0.35F * dice.between(0, 1);
     const float scale = dice.between(0.6F, 1.3F);
     const Taper width{lock.width_px.start * scale, lock.width_px.middle * scale, lock.width_px.end * scale};

@@ -1,8 +1,8 @@
 #pragma once
 // A small paintbox: paths, antialiased masks, soft edges, and a canvas to lay colour on.
 //
-// Colours are display-referred (sRGB code values over 255), because that is where a painter's gradients look even.
-// Coordinates are the house's pixels: (0, 0) is the outer corner of the top left pixel.
+// Colours are display-referred (sRGB code values over 255), because gradients look even there. Coordinates are
+// morphkit's pixels: (0, 0) is the outer corner of the top left pixel.
 
 #include <cmath>
 #include <cstdint>
@@ -60,7 +60,7 @@ struct Mask {
   }
 };
 
-/// How a colour is laid on.
+/// How a colour is painted.
 struct Brush {
   float opacity = 1;
   float soften_px = 0;         ///< standard deviation of the edge's blur
@@ -74,14 +74,14 @@ class Canvas {
   int width() const { return pixels_.cols; }
   int height() const { return pixels_.rows; }
 
-  /// Area coverage of a closed outline, nonzero winding, cut to the canvas (with room for the blur).
+  /// Area coverage of a closed outline (nonzero winding rule), clipped to the canvas with room for the blur.
   Mask mask(const Path& outline, float soften_px = 0) const;
 
-  /// Lays shader(point) -> Color over the mask.
+  /// Paints shader(point) -> Color over the mask.
   template <typename Shader>
   void shade(const Mask& mask, const Shader& shader, const Brush& brush = {});
 
-  /// Lays shader(point) -> cv::Vec4f (straight colour and opacity) over the whole canvas.
+  /// Paints shader(point) -> cv::Vec4f (unpremultiplied colour and opacity) over the whole canvas.
   template <typename Shader>
   void wash(const Shader& shader, const Mask* clip = nullptr);
 
@@ -91,7 +91,7 @@ class Canvas {
   /// A round blob that fades like a Gaussian of the given standard deviations.
   void glow(Point center, float sigma_x, float sigma_y, const Color& color, const Brush& brush, float angle_deg = 0);
 
-  /// Straight alpha, RGBA; dithered by less than one code value so that gradients do not band.
+  /// Unpremultiplied RGBA, dithered by less than one code value so that gradients do not band.
   cv::Mat4b to_8bit() const;
 
  private:
@@ -104,7 +104,7 @@ class Canvas {
   cv::Mat4f pixels_;  // premultiplied
 };
 
-/// A lock of hair: strands between two guide lines of equally many points.
+/// A lock of hair: strands between two guide lines with the same number of points.
 struct Lock {
   Path first, second;
   int strands = 100;

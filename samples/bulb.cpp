@@ -1,4 +1,4 @@
-// A light bulb that is on, standing on its base: transparent around, the glass itself half transparent.
+// A burning light bulb that stands on its base: transparent around, with half-transparent glass.
 
 #include <algorithm>
 #include <cmath>

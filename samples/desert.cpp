@@ -76,7 +76,7 @@ void paint_land(Canvas& canvas) {
              rgb(0x74402f), rgb(0xc4814c), 37);
 }
 
-/// One arm or the trunk: a rounded column along a path, ribbed, lit by the moon from the right.
+/// One arm or the trunk: a rounded, ribbed column along a path, lit by the moon from the right.
 void paint_column(Canvas& canvas, const Path& spine, float radius, Dice& dice) {
   const Path line = smooth(spine);
   canvas.stroke(line, {2 * radius, 2 * radius, 1.7F * radius}, rgb(0x1d3327), {.soften_px = 0.7F});

@@ -67,7 +67,7 @@ void paint_mountains(Canvas& canvas) {
   });
 }
 
-/// The lake mirrors what stands above it, broken by ripples.
+/// The lake mirrors the scene above it, broken by ripples.
 void paint_water(Canvas& canvas) {
   const cv::Mat4b above = canvas.to_8bit();
   const Mask water = canvas.mask({{-5, kShore}, {1285, kShore}, {1285, 725}, {-5, 725}}, 0.5F);

@@ -1,4 +1,4 @@
-// A pear on nothing: transparent around, with a soft shadow.
+// A pear, transparent around, with a soft shadow.
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ Canvas paint_pear() {
     canvas.fill(ellipse(c, size, size), rgb(0x6a5a1e),
                 {.opacity = dice.between(0.2F, 0.6F), .soften_px = 0.4F, .clip = &body});
   }
-  // Light that the ground throws back, the shine, and the dimple at the stem.
+  // Light reflected from the ground, the shine, and the dimple at the stem.
   canvas.glow({338, 536}, 80, 9, rgb(0xd9c27a), {.opacity = 0.5F, .clip = &body});
   canvas.glow({262, 372}, 26, 44, rgb(0xfffdf0), {.opacity = 0.75F, .clip = &body}, 18);
   canvas.glow({290, 232}, 10, 24, rgb(0xfffdf0), {.opacity = 0.55F, .clip = &body}, 14);

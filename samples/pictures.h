@@ -1,5 +1,5 @@
 #pragma once
-// One function per picture; samples.cpp makes pairs of them.
+// One function per picture; samples.cpp makes the pairs.
 
 #include "samples/brush.h"
 

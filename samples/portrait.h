@@ -1,22 +1,22 @@
 #pragma once
-// The parts that every painted face has. A sitter is described in head space: the origin lies between the eyes, x to
-// the right of the picture, y down, the chin near y = 230; `Head` carries that to the canvas.
+// The parts of every painted face. A sitter is described in head space: the origin lies between the eyes, x points to
+// the right of the picture, y down, and the chin is near y = 230. `Head` maps head space to the canvas.
 
 #include "samples/brush.h"
 
 namespace morphkit::samples {
 
-/// Where and how the head is held.
+/// Position and pose of the head.
 struct Head {
   Point center;        ///< canvas position of the point between the eyes
   float scale = 1;     ///< canvas pixels per head unit
   float tilt_deg = 0;  ///< clockwise
-  float turn = 0;      ///< head units by which the middle of the face is shifted: a turn of the head
+  float turn = 0;      ///< shift of the middle of the face, head units: a turn of the head
   float light_x = -1;  ///< -1: light from the left of the picture, 1: from the right
 
   Point at(float x, float y) const;
   Path at(const Path& path) const;
-  Point to_head(Point canvas) const;  ///< inverse of `at` but for the turn
+  Point to_head(Point canvas) const;  ///< inverse of `at`, except for the turn
 };
 
 struct Skin {

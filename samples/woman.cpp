@@ -148,7 +148,7 @@ void paint_face(Canvas& canvas, const Mask& face, Dice& dice) {
   canvas.glow(kHead.at(-6, 207), 20, 12, kSkin.light, {.opacity = 0.5F, .clip = &face});
   canvas.stroke(kHead.at(smooth({{140, 0}, {134, 90}, {98, 182}, {40, 232}})), {20, 34, 14}, kSkin.deep,
                 {.opacity = 0.4F, .soften_px = 14, .clip = &face});
-  // Light thrown back by the dress keeps the dark side of the jaw from falling away.
+  // Light reflected from the dress keeps the dark side of the jaw visible.
   canvas.stroke(kHead.at(smooth({{126, 118}, {94, 182}, {52, 222}})), {2, 6, 2}, rgb(0xd9a58c),
                 {.opacity = 0.5F, .soften_px = 3, .clip = &face});
 

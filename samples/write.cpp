@@ -15,7 +15,7 @@
 namespace morphkit::samples {
 namespace {
 
-/// Far below one step of an 8-bit file: the file holds the same picture.
+/// Far below one step of an 8-bit file: a smaller difference is the same picture.
 constexpr double kSamePicture = 1e-4;
 
 [[noreturn]] void fail_changed(const std::filesystem::path& file) {

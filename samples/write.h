@@ -1,5 +1,5 @@
 #pragma once
-// A sample as files: its pictures, and the project beside them.
+// Writes a sample as files: its pictures, and the project beside them.
 
 #include <filesystem>
 
@@ -8,11 +8,11 @@
 
 namespace morphkit::samples {
 
-/// The picture as the rest of morphkit knows pictures: linear, premultiplied.
+/// The picture in the form of the rest of morphkit: linear, premultiplied.
 warp::Image image_of(const PaintedPicture& picture);
 
 /// Writes the pictures as PNG and the project as <name>.json into `folder`, which is made if missing. A file that
-/// already holds the same is left alone.
+/// already has the same contents stays untouched.
 /// @return  the project file.
 /// @throws Error kIo, also if a file with other contents exists and `overwrite` is off: it may be somebody's work.
 std::filesystem::path write(const Sample& sample, const std::filesystem::path& folder, bool overwrite);

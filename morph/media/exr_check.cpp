@@ -24,12 +24,12 @@ constexpr std::uint32_t kMagic = 0x01312f76;
 constexpr std::uint32_t kVersionMask = 0xff;
 constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMultiPart = 0x1000;
-constexpr std::int64_t kLongestName = 255;    // what OpenEXR reads; 31 for files without the long-names flag
+constexpr std::int64_t kLongestName = 255;    // OpenEXR's limit; 31 for files without the long-names flag
 constexpr std::int64_t kChannelNumbers = 16;  // type, linearity and padding, two sampling rates
 constexpr std::uint32_t kPixelTypes = 3;      // uint, half, float
-constexpr std::int64_t kChunkOffset = 8;      // bytes of the table's entry
+constexpr std::int64_t kChunkOffset = 8;      // bytes of a table entry
 
-/// OpenEXR holds a whole tile in memory, however small the picture is: 4096 x 4096 pixels of RGBA are fine.
+/// OpenEXR holds a whole tile in memory, even for a small picture: 4096 x 4096 pixels of RGBA are fine.
 constexpr std::int64_t kUsualTileSamples = std::int64_t{1} << 26;
 
 struct FixedType {
@@ -37,8 +37,8 @@ struct FixedType {
   std::int64_t size;  ///< bytes
 };
 
-/// OpenEXR reads that many bytes whatever the attribute's size says, and goes on behind them: another size would let
-/// what it takes for attributes differ from what is checked here.
+/// OpenEXR ignores the size of these attributes, reads this many bytes and continues after them. With another size, it
+/// would see other attributes than this check.
 constexpr std::array kFixedTypes = {
     FixedType{"box2f", 16},
     FixedType{"box2i", 16},
@@ -69,7 +69,7 @@ constexpr std::array kFixedTypes = {
 struct Attribute {
   std::string name, type;
   std::int64_t begin = 0;  ///< byte of the file where its name begins
-  std::int64_t end = 0;    ///< byte behind its value
+  std::int64_t end = 0;    ///< byte after its value
 };
 
 struct Size {
@@ -148,7 +148,7 @@ class ExrHeader {
     position_ = position;
   }
 
-  /// One header; false if there is none, only the end of the list of headers.
+  /// Checks one header; false at the end of the list of headers.
   bool check_part() {
     bool is_empty = true;
     picture_ = tile_ = {};
@@ -199,7 +199,7 @@ class ExrHeader {
       if (position_ + kChannelNumbers >= attribute.end) fail(attribute, "has a list without an end");
       const std::int64_t end = position_ + kChannelNumbers;
       const std::uint32_t type = read_u32();
-      // Where a part's type is unknown OpenEXR lets this pass, and OpenImageIO aborts.
+      // If the type of a part is unknown, OpenEXR accepts this and OpenImageIO aborts.
       if (type >= kPixelTypes) fail(attribute, fmt::format("has a channel of the unknown pixel type {}", type));
       skip_to(end);
     }
@@ -260,7 +260,7 @@ class ExrHeader {
   std::filesystem::path file_;
   std::ifstream stream_;
   std::int64_t size_ = 0;      ///< bytes of the file
-  std::int64_t position_ = 0;  ///< byte that is read next
+  std::int64_t position_ = 0;  ///< the next byte to read
   std::int64_t chunks_ = 0;    ///< of all parts
   Size picture_, tile_;        ///< of this part; px
   std::int64_t channels_ = 0;  ///< of this part

@@ -1,14 +1,15 @@
 #pragma once
-// Finds lies in the header of EXR files before OpenEXR does: it allocates what an attribute claims, then reads.
+// Checks the headers of EXR files before OpenEXR reads them: OpenEXR allocates the size that an attribute claims, then
+// reads.
 
 #include <filesystem>
 
 namespace morphkit::media {
 
-/// Walks the headers of all parts: names, sizes of attributes, windows, channels, tiles, counts of chunks. Nothing is
-/// allocated and no pixel is read. Cost: of the headers alone.
-/// @throws Error kBadInput naming the attribute and the byte where the file is cut or damaged, or the size that is more
-///     than the limits of image_format.h.
+/// Walks the headers of all parts: names, sizes of attributes, windows, channels, tiles, counts of chunks. It allocates
+/// nothing and reads no pixels. Cost: O(size of the headers).
+/// @throws Error kBadInput naming the attribute and the byte where the file is cut or damaged, or a size beyond the
+///     limits of image_format.h.
 /// OpenEXR, "OpenEXR File Layout": https://openexr.com/en/latest/OpenEXRFileLayout.html
 void check_exr(const std::filesystem::path& file);
 

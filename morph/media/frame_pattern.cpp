@@ -12,13 +12,13 @@
 namespace morphkit::media {
 namespace {
 
-/// More digits than any int needs, few enough that no file system refuses the name because of them.
+/// More digits than any int needs, but short enough for every file system.
 constexpr int kMaxWidth = 32;
 
 /// A place for the number at the start of some text.
 struct Place {
-  std::size_t length;  ///< characters that it takes
-  int width;           ///< least number of digits; may exceed kMaxWidth, and is then wrong
+  std::size_t length;  ///< characters of the place
+  int width;           ///< least number of digits; invalid if above kMaxWidth
 };
 
 std::optional<Place> place_at(std::string_view text) {

@@ -9,11 +9,11 @@ namespace morphkit::media {
 /// "frame.%04d.png", "frame.####.png": a file name with a place for the frame number.
 ///
 /// The place is `%d` (no padding), `%0Nd` (at least N digits, zero padded) or a run of N `#` (the same as `%0Nd`); a
-/// minus sign counts as a digit, as in printf. `%%` stands for one `%`. Only the last component of the path is looked
-/// at: folders are taken literally.
+/// minus sign counts as a digit, as in printf. `%%` stands for one `%`. Only the last component of the path is a
+/// pattern: folders are taken literally.
 class FramePattern {
  public:
-  /// @throws Error kUsage if the name has no place for a number, more than one, or a `%` that means nothing.
+  /// @throws Error kUsage if the name has no place for a number, more than one, or a `%` without meaning.
   explicit FramePattern(const std::filesystem::path& name);
 
   /// Whether the file name has at least one place for a number. Never throws for a malformed name.

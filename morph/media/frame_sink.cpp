@@ -38,8 +38,8 @@ class FileSink final : public FrameSink {
   void finish() override {}
 
   bool has(int frame) const override {
-    // write_file renames complete files into place, so a file that is there is whole, if it is a frame of ours at
-    // all: anything else under that name has another size or is no image.
+    // write_file renames complete files into place, so an existing file of ours is whole. Another file under that name
+    // has another size or is not an image.
     const fs::path name = file(frame);
     std::error_code error;
     if (!fs::is_regular_file(name, error)) return false;
@@ -109,7 +109,7 @@ std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& 
   std::optional<FramePattern> pattern;
   if (numbered) pattern.emplace(output);
   check_folder(output);
-  // A .gif is an animation unless its name says that it is one of many.
+  // A .gif is an animation unless its name has a frame number.
   if (video != nullptr && !numbered) return std::make_unique<VideoSink>(output, *video, options);
   if (!options.preset.empty())
     throw Error(ErrorCode::kUsage, output.string(), "images have no presets; they are for .mp4 and .webm");

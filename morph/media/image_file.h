@@ -1,6 +1,6 @@
 #pragma once
-// Still images in files. The only place, with its neighbours, that knows OpenImageIO. Colour and alpha are converted
-// here, once: what comes out is linear, premultiplied float RGBA; what goes in is written as its format wants it.
+// Still images in files. Only this folder uses OpenImageIO. Colour and alpha are converted here, once: images are read
+// as linear, premultiplied float RGBA, and written in the form of the file format.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace morphkit::media {
 
 enum class ColorSpace {
-  kAuto,  ///< what the file says; without a tag 8- and 16-bit are sRGB, float is linear
+  kAuto,  ///< as the file says; without a tag, 8 and 16 bit are sRGB and float is linear
   kSrgb,
   kLinear
 };
@@ -23,7 +23,7 @@ enum class ColorSpace {
 /// "auto" | "srgb" | "linear". @throws Error kUsage naming the choices.
 ColorSpace color_space_from(const std::string& name);
 
-/// What a file says of itself, from its header alone.
+/// Facts about a file, from its header alone.
 struct ImageInfo {
   std::filesystem::path file;
   std::string format;         ///< "png", "openexr", ...
@@ -31,13 +31,13 @@ struct ImageInfo {
   int channels = 0;
   bool has_alpha = false;
   std::string channel_type;                                   ///< "uint8", "uint16", "half", "float"
-  std::string color_space;                                    ///< "sRGB" or "linear": how morphkit will read it
+  std::string color_space;                                    ///< "sRGB" or "linear": how morphkit reads it
   int orientation = 1;                                        ///< EXIF, 1..8, as stored
   std::int64_t bytes = 0;                                     ///< file size
-  std::vector<std::pair<std::string, std::string>> metadata;  ///< everything else, as text, in the file's order
+  std::vector<std::pair<std::string, std::string>> metadata;  ///< everything else, as text, in the order of the file
 };
 
-/// Metadata that is carried from a source to the frames made from it. Opaque outside morph/media.
+/// Metadata of a source that its frames inherit. Opaque outside morph/media.
 class Metadata;
 
 struct Picture {
@@ -61,28 +61,28 @@ struct WriteOptions {
   Depth depth = Depth::kAuto;
   int compression = -1;                      ///< PNG, TIFF, EXR: 0 none .. 9 smallest; -1: fast (image_writer.cpp)
   int quality = 95;                          ///< JPEG and WebP, 1..100; 100 is lossless for WebP
-  std::optional<bool> alpha;                 ///< store alpha if the format can; unset: if a pixel is not opaque
-  std::shared_ptr<const Metadata> metadata;  ///< carried over if given
+  std::optional<bool> alpha;                 ///< store alpha if the format can; unset: only if a pixel is not opaque
+  std::shared_ptr<const Metadata> metadata;  ///< written if given
   bool overwrite = false;
 };
 
-/// Refuses options that no image of this name could be written with. @throws Error kUsage.
+/// Refuses options that are impossible for every image of this name. @throws Error kUsage.
 void check_write_options(const std::filesystem::path& name, const WriteOptions& options);
 
 /// Writes one image, atomically: a temporary name beside it, then a rename. Formats without alpha get the image over
-/// black. @throws Error kIo; kUsage for an unknown extension or a depth that the format has not; kIo if the file exists
-/// and overwrite is off.
+/// black. @throws Error kIo; kUsage for an unknown extension or a depth that the format does not support; kIo if the
+/// file exists and overwrite is off.
 void write_image(const std::filesystem::path& file, const warp::Image& image, const WriteOptions& options = {});
 
-/// The bytes that write_image would put into a file of this name; the file itself is not touched. Safe to call from
-/// several threads at once. @throws Error kUsage as write_image does, kFailed if the codec gives up.
+/// The bytes that write_image would write to a file of this name; it does not touch the file. Thread-safe. @throws
+/// Error kUsage as write_image does, kFailed if the codec fails.
 std::vector<std::uint8_t> encode_image(const std::filesystem::path& name, const warp::Image& image,
                                        const WriteOptions& options = {});
 
-/// Two channels R, G as they are, 32-bit float EXR (an STMap), atomically. Values are not colour-converted.
+/// Writes two channels R, G as a 32-bit float EXR (an STMap), atomically. Values are not colour-converted.
 void write_map(const std::filesystem::path& file, const warp::Map& map, bool overwrite);
 
-/// Tells whether write_image knows the file's extension.
+/// Whether write_image supports the file's extension.
 bool is_image_extension(const std::filesystem::path& file);
 
 }  // namespace morphkit::media

@@ -27,11 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rows that are read at once: enough for the threads that convert them, little beside the picture, and more than the
-/// 32 rows that EXR packs together.
+/// Rows that are read at once: enough for the threads that convert them, small compared to the picture, and more than
+/// the 32 rows that EXR packs together.
 constexpr int kBandRows = 64;
 
-/// gAMA 1/2.2 is how files that mean sRGB were marked before there was a mark for it.
+/// Before PNG had a tag for sRGB, gAMA 1/2.2 marked such files.
 constexpr float kGammaOfSrgb = 2.2F;
 constexpr float kGammaTolerance = 0.05F;
 
@@ -46,7 +46,8 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// OpenImageIO's complaints, of the object and of the thread, both taken so that the next file does not inherit them.
+/// OpenImageIO's error messages of the object and of the thread. Both are cleared, so that the next file does not
+/// inherit them.
 std::string drain(const OIIO::ImageInput* input) {
   std::string text = input != nullptr ? input->geterror() : "";
   const std::string of_thread = OIIO::geterror();
@@ -74,8 +75,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// What the file says of its colour, if it is something that we know. Rec.709 material is shown on sRGB screens as if
-/// it were sRGB, which is how it is read too.
+/// The transfer function that the file states, if we support it. Rec.709 material is shown on sRGB screens as if it
+/// were sRGB, and is read in the same way.
 std::optional<Transfer> tagged_transfer(const OIIO::ImageSpec& spec) {
   const std::string tag = lower(spec.get_string_attribute("oiio:ColorSpace"));
   float gamma = spec.get_float_attribute("oiio:Gamma", 0.0F);
@@ -90,8 +91,8 @@ std::optional<Transfer> tagged_transfer(const OIIO::ImageSpec& spec) {
   return Transfer{Transfer::Kind::kGamma, gamma};
 }
 
-/// Whether a complaint about pixels that were "read" means that they were not. libtiff and others leave zeros where
-/// they could not read; libjpeg fills a truncated picture up with gray, but also mentions harmless oddities.
+/// Whether an error message after a "successful" read means damage. libtiff and others leave zeros where they could not
+/// read. libjpeg fills a truncated picture with gray, but it also reports harmless oddities.
 bool tells_damage(const std::string& format, const std::string& complaint) {
   if (format != "jpeg") return !complaint.empty();
   return complaint.find("remature end") != std::string::npos || complaint.find("bad Huffman") != std::string::npos;
@@ -211,7 +212,7 @@ bool ImageReader::is_display_window() const {
                                   spec_.width != spec_.full_width || spec_.height != spec_.full_height);
 }
 
-/// By name where there are names (a renderer's EXR has many channels), else by count: 1 gray, 2 gray and alpha, 3 RGB.
+/// By name if there are names (a renderer's EXR has many channels), else by count: 1 gray, 2 gray and alpha, 3 RGB.
 void ImageReader::choose_channels() {
   const auto find = [&](std::string_view name) {
     const auto found = std::find(spec_.channelnames.begin(), spec_.channelnames.end(), name);
@@ -257,7 +258,7 @@ StoredLayout ImageReader::layout(ColorSpace space) const {
   result.b = within(b_);
   result.a = within(a_);
   result.transfer = transfer(space);
-  // TIFF and TGA know both kinds of alpha, and OpenImageIO tells which; elsewhere the format decides.
+  // TIFF and TGA have both kinds of alpha, and OpenImageIO says which; in other files the format decides.
   const bool says_straight = spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) == 1;
   if (format_ == "openexr") {
     result.alpha = AlphaKind::kPremultiplied;
@@ -355,7 +356,7 @@ warp::Image ImageReader::to_display_window(const warp::Image& data_window) const
 warp::Image ImageReader::read(ColorSpace space, std::int64_t& nonfinite) {
   try {
     StoredLayout stored = layout(space);
-    if (format_ == "webp") stored.channels = 4;  // what decode_webp gives, opaque or not
+    if (format_ == "webp") stored.channels = 4;  // decode_webp always gives 4
     const PixelDecoder decoder(stored);
     const warp::Image pixels = format_ == "webp" ? read_webp(decoder, nonfinite) : read_stored(decoder, nonfinite);
     return upright(to_display_window(pixels), orientation_);

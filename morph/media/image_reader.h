@@ -1,5 +1,5 @@
 #pragma once
-// The machinery behind read_info and read_picture: an open file with what its header says.
+// The implementation of read_info and read_picture: an open file and its header.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -15,17 +15,17 @@
 
 namespace morphkit::media {
 
-/// Makes OpenImageIO work in the calling thread only (frames are what runs in parallel) and leaves limits to us. Called
-/// before every use; cheap.
+/// Makes OpenImageIO work in the calling thread only (frames run in parallel) and turns its own limits off. Call before
+/// every use; cheap.
 void init_openimageio();
 
-/// One image of a file, opened by what its first bytes say it is, whatever its extension; the first part of many.
+/// One image of a file: the first part, if there are several. The first bytes decide the format, not the extension.
 class ImageReader {
  public:
-  /// @throws Error as read_info does; nothing of the picture's size has been allocated before the limits are checked.
+  /// @throws Error as read_info does; limits are checked before anything of the picture's size is allocated.
   explicit ImageReader(const std::filesystem::path& file);
 
-  /// @param space  overrides what the file says of its colour.
+  /// @param space  overrides the colour space that the file states.
   ImageInfo info(ColorSpace space) const;
   std::shared_ptr<const Metadata> metadata() const;
 
@@ -46,7 +46,7 @@ class ImageReader {
 
   std::filesystem::path file_;
   std::string format_;
-  std::vector<std::uint8_t> bytes_;                        ///< the whole file, where it was looked through first
+  std::vector<std::uint8_t> bytes_;                        ///< the whole file, if it was checked first
   std::unique_ptr<OIIO::Filesystem::IOMemReader> memory_;  ///< outlives input_
   std::unique_ptr<OIIO::ImageInput> input_;
   OIIO::ImageSpec spec_;

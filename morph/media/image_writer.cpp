@@ -103,7 +103,7 @@ Samples encode_samples(const warp::Image& image, SampleType type, int channels) 
   return result;
 }
 
-/// Half floats end at 65504; what is larger but finite must not become infinite.
+/// The largest half float is 65504; larger finite values must not become infinite.
 void clamp_to_half(Samples& samples) {
   auto* values = reinterpret_cast<float*>(samples.bytes.data());
   const std::size_t count = samples.bytes.size() / sizeof(float);
@@ -142,7 +142,7 @@ OIIO::TypeDesc given_type(SampleType type) {
   throw Error(ErrorCode::kFailed, name.string(), fmt::format("the image cannot be encoded ({})", complaint));
 }
 
-/// A file in memory that has a name. OpenImageIO 2.4 leaves tags out of a TIFF (its width and height) when it writes
+/// A file in memory with a name. OpenImageIO 2.4 leaves tags out of a TIFF (its width and height) when it writes
 /// through a proxy, but not when it writes to a name.
 class MemoryFile {
  public:
@@ -203,8 +203,8 @@ Bytes encode_with_oiio(const fs::path& name, const std::string& plugin, const OI
 void set_compression(const WritableFormat& format, int level, OIIO::ImageSpec& spec) {
   if (format.plugin == "targa") spec["compression"] = "rle";
   if (format.plugin == "png") {
-    // Photographs have little else to gain from than what the row filter finds: zlib's runs and Huffman codes behind
-    // the one filter take half the time of level 2 behind the best filter of each row, for files of the same size.
+    // In photographs nearly all the gain comes from the row filter. zlib's runs and Huffman codes after one fixed
+    // filter take half the time of level 2 after the best filter of each row, for files of the same size.
     spec["compression"] = level < 0 ? "rle" : "filtered";
     spec["png:filter"] = level < 0 ? kPngAverage : kPngAllFilters;
     spec["png:compressionLevel"] = level < 0 ? 1 : level;
@@ -227,7 +227,7 @@ OIIO::ImageSpec make_spec(const WritableFormat& format, cv::Size size, int chann
   const bool is_float = sample_type(depth) == SampleType::kFloat;
   spec["Orientation"] = 1;
   spec["oiio:ColorSpace"] = is_float ? "Linear" : "sRGB";
-  // Float files hold premultiplied colour (associated alpha), the others straight.
+  // Float files hold premultiplied colour (associated alpha), the others unpremultiplied colour.
   if (!is_float) spec["oiio:UnassociatedAlpha"] = 1;
   set_compression(format, options.compression, spec);
   if (format.plugin == "jpeg") {
@@ -238,7 +238,7 @@ OIIO::ImageSpec make_spec(const WritableFormat& format, cv::Size size, int chann
 }
 
 void save(const fs::path& file, bool overwrite, const std::function<Bytes()>& encode) {
-  AtomicFile target(file, overwrite);  // first: what cannot be written need not be encoded
+  AtomicFile target(file, overwrite);  // first, so that nothing is encoded in vain
   target.write(encode());
   target.commit();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What is carried from a source file to the frames made from it, and what is not because it would lie.
+// The metadata that frames inherit from a source file. Attributes that would be wrong for them are left out.
 
 #include <OpenImageIO/imageio.h>
 
@@ -10,22 +10,22 @@
 
 namespace morphkit::media {
 
-/// Attributes of a file that still hold for pictures made from it: Exif, IPTC, XMP, resolution, copyright, description,
-/// time codes, camera. Left out: what describes the storage of the old file (compression, tiles, parts), orientation
-/// and sizes (the pixels have been turned already), and the ICC profile and chromaticities: what morphkit writes is
-/// tagged sRGB or linear by itself.
+/// Attributes of a file that are still true for pictures made from it: Exif, IPTC, XMP, resolution, copyright,
+/// description, time codes, camera. Left out: the storage of the old file (compression, tiles, parts), orientation and
+/// sizes (the pixels are already upright), and the ICC profile and chromaticities (morphkit tags its files as sRGB or
+/// linear itself).
 class Metadata {
  public:
   explicit Metadata(const OIIO::ImageSpec& spec);
 
-  /// Adds the attributes to `spec`. The times and the colour space that OpenImageIO would make up are never made up.
+  /// Adds the attributes to `spec`. It suppresses the times and the colour space that OpenImageIO would invent.
   void apply(OIIO::ImageSpec& spec) const;
 
  private:
   OIIO::ParamValueList attributes_;
 };
 
-/// Everything that the header says, as text, for people; long values are cut.
+/// All attributes of the header as text, for people; long values are cut.
 std::vector<std::pair<std::string, std::string>> metadata_text(const OIIO::ImageSpec& spec);
 
 }  // namespace morphkit::media

@@ -1,5 +1,5 @@
 #pragma once
-// Stored samples <-> linear, premultiplied float pixels. Knows transfer functions and alpha, no files.
+// Stored samples <-> linear, premultiplied float pixels. Knows transfer functions and alpha, but no files.
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Transfer {
   float gamma = 1.0F;  ///< linear = stored ^ gamma, for kGamma
 };
 
-/// What the stored colour has been multiplied with.
+/// The factor in the stored colour.
 enum class AlphaKind {
   kStraight,          ///< nothing
   kPremultiplied,     ///< alpha, in linear light (EXR)
@@ -31,13 +31,13 @@ enum class AlphaKind {
 struct StoredLayout {
   SampleType type = SampleType::kU8;
   int channels = 4;         ///< samples from one pixel to the next
-  int r = 0, g = 1, b = 2;  ///< sample of each colour; -1: the colour is 0
+  int r = 0, g = 1, b = 2;  ///< index of each colour's sample; -1: the colour is 0
   int a = 3;                ///< -1: opaque
   Transfer transfer;
   AlphaKind alpha = AlphaKind::kStraight;
 };
 
-/// Reads rows of samples. Integer samples go through a table made once per decoder.
+/// Reads rows of samples. Integer samples go through a table, made once per decoder.
 class PixelDecoder {
  public:
   explicit PixelDecoder(const StoredLayout& layout);
@@ -55,8 +55,8 @@ class PixelDecoder {
   std::vector<float> table_;
 };
 
-/// Writes rows of samples: RGB (over black) or RGBA with straight alpha for integers, sRGB and rounded to nearest;
-/// float stays linear and premultiplied.
+/// Writes rows of samples. Integers are sRGB, rounded to nearest: RGB (over black) or unpremultiplied RGBA. Floats stay
+/// linear and premultiplied.
 class PixelEncoder {
  public:
   PixelEncoder(SampleType type, int channels) : type_(type), channels_(channels) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Finds damage in PNG files before libpng does: libpng prints its complaints on stderr, past OpenImageIO.
+// Finds damage in PNG files before libpng does: libpng prints its messages on stderr, past OpenImageIO.
 
 #include <cstdint>
 #include <filesystem>

@@ -49,8 +49,8 @@ class Descriptor {
   int value_ = -1;
 };
 
-/// Moves a descriptor out of 0..2, where it lands when our own standard streams are closed: the child's file actions
-/// would otherwise overwrite one another.
+/// Moves a descriptor out of 0..2. It gets such a number when our own standard streams are closed, and then the child's
+/// file actions would overwrite one another.
 Descriptor above_standard(Descriptor descriptor) {
   if (descriptor.get() > STDERR_FILENO) return descriptor;
   Descriptor moved(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
@@ -71,9 +71,9 @@ Pipe make_pipe() {
   return pipe;
 }
 
-/// Keeps SIGPIPE from reaching this thread while it lives. A pipe has no MSG_NOSIGNAL, and ignoring the signal for the
-/// whole process is not a library's to decide. write() raises it for the calling thread, so the pending one is ours
-/// unless it was pending before.
+/// Blocks SIGPIPE for this thread while the object exists. A pipe has no MSG_NOSIGNAL, and a library must not ignore
+/// the signal for the whole process. write() raises it in the calling thread, so a pending signal is ours unless it was
+/// pending before.
 class SigpipeBlock {
  public:
   SigpipeBlock() {
@@ -122,7 +122,8 @@ class SpawnPlan {
     check(posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO), "dup2");
   }
 
-  /// A process group of its own, no blocked signals, and the usual reaction to the signals that we may ignore or block.
+  /// Gives the child its own process group, no blocked signals, and default actions for signals that we may ignore or
+  /// block.
   void set_signals() {
     sigset_t none;
     sigset_t usual;
@@ -154,14 +155,14 @@ class SpawnPlan {
 
 }  // namespace
 
-/// A thread that empties the child's standard error, so that the child never waits for us, and keeps the end of it.
-/// It is told when to stop: somebody that left the child's process group may hold the pipe open for long.
+/// A thread that reads the child's standard error and keeps its end, so the child never waits for us. The owner stops
+/// it: a program that left the child's process group may hold the pipe open for long.
 class Process::Drain {
  public:
   explicit Drain(Descriptor errors) : errors_(std::move(errors)), stop_(::eventfd(0, EFD_CLOEXEC)) {
     check(stop_.get() < 0 ? errno : 0, "eventfd");
     check(::fcntl(errors_.get(), F_SETFL, O_NONBLOCK) != 0 ? errno : 0, "fcntl");
-    // A new thread inherits the mask: signals are for the threads of the program that we are part of.
+    // A new thread inherits the mask. Signals belong to the threads of the host program.
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
@@ -227,9 +228,10 @@ std::string Process::Exit::text() const {
 Process::Process(const std::vector<std::string>& arguments) {
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
-  // A frame is far larger than the usual 64 KiB: fewer wake-ups. The system may refuse, which does no harm.
+  // A frame is far larger than the usual 64 KiB; a larger pipe means fewer wake-ups. The system may refuse, which is
+  // harmless.
   ::fcntl(input.write.get(), F_SETPIPE_SZ, 1 << 20);
-  // The thread starts before the child: if it cannot, there is no child to clean up.
+  // The thread starts before the child: if it cannot start, there is no child to clean up.
   drain_ = std::make_unique<Drain>(std::move(errors.read));
   SpawnPlan plan;
   plan.set_streams(input.read.get(), errors.write.get());
@@ -270,8 +272,8 @@ void Process::kill() noexcept {
 void Process::reap() noexcept {
   if (input_ >= 0) ::close(std::exchange(input_, -1));
   if (pid_ <= 0) return;
-  // Wait without reaping first: as long as the leader is a zombie, its number and its group's cannot be given to
-  // somebody else, and what it has left running can be ended safely.
+  // Wait without reaping first. While the leader is a zombie, the numbers of its process and group stay reserved, so
+  // the programs that it left running can be killed safely.
   siginfo_t ended{};
   while (::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
   }

@@ -1,5 +1,5 @@
 #pragma once
-// A child program that is fed through its standard input. Internal to morph/media.
+// A child program that reads our data on its standard input. Internal to morph/media.
 
 #include <sys/types.h>
 
@@ -12,11 +12,11 @@
 
 namespace morphkit::media {
 
-/// A program started from an argument vector (never through a shell), with a pipe to its standard input, its standard
-/// output thrown away and the end of its standard error kept.
+/// A program started from an argument vector (never through a shell), with a pipe to its standard input. Its standard
+/// output is discarded, and the end of its standard error is kept.
 ///
-/// It runs in a process group of its own: Ctrl-C reaches us alone, and we decide what becomes of it. Not copyable, to
-/// be used by one thread at a time. Destroyed while running, it is killed with all that it started, and reaped.
+/// It runs in a process group of its own: Ctrl-C reaches only us, and we decide when it ends. Not copyable; for one
+/// thread at a time. The destructor kills and reaps a running program and everything it started.
 class Process {
  public:
   /// How a program ended.
@@ -36,18 +36,18 @@ class Process {
   ~Process();
 
   /// Writes all bytes, waiting while the pipe is full. SIGPIPE is never raised.
-  /// @return  false if the program has closed its input, which is mostly a sign that it has died.
+  /// @return  false if the program has closed its input, usually because it has ended.
   /// @throws std::system_error for any other failure.
   bool write(std::span<const std::uint8_t> bytes);
 
-  /// Closes its standard input and waits until it ends; what it has started and left behind is killed. Afterwards
+  /// Closes its standard input and waits until it ends. Programs that it started and left behind are killed. Afterwards
   /// last_lines() is complete. Repeated calls return the same.
   Exit finish();
 
-  /// Kills the program and all that it started, and reaps it. Nothing if it has ended.
+  /// Kills and reaps the program and everything it started. Does nothing if it has ended.
   void kill() noexcept;
 
-  /// The end of what it wrote to standard error, at most 4 KiB, whole lines. To be called after finish().
+  /// The end of its standard error, at most 4 KiB, whole lines. Call it after finish().
   std::string last_lines() const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 enum class Order { kLittle, kBig };
 
-/// Numbers at places of a file.
+/// Reads numbers from places in a file.
 class Promises {
  public:
   Promises(const std::filesystem::path& file, std::string shown, Order order)
@@ -29,7 +29,7 @@ class Promises {
   void go_to(std::int64_t position) { position_ = position; }
   std::int64_t position() const { return position_; }
 
-  /// The unsigned number of 1 to 4 bytes at the position, which moves behind it.
+  /// Reads an unsigned number of 1 to 4 bytes at the position and moves past it.
   std::int64_t number(int bytes) {
     if (position_ > size_ - bytes) {
       fail(fmt::format("the {} file is cut short: it ends at byte {}, within its header", shown_, size_));
@@ -46,7 +46,7 @@ class Promises {
 
   std::int64_t signed_number() { return std::bit_cast<std::int32_t>(static_cast<std::uint32_t>(number(4))); }
 
-  /// @returns the byte behind `length` bytes that begin at the position.
+  /// @return  the byte after `length` bytes that begin at the position.
   std::int64_t end_of(const std::string& what, std::int64_t length) const {
     if (length < 0 || length > size_ - position_) {
       fail(fmt::format("the {} file is damaged or cut short: {} at byte {} needs {} bytes, {} are left", shown_, what,
@@ -89,7 +89,7 @@ void check_bmp(const std::filesystem::path& file) {
   bmp.check_size(width, std::abs(height));
 }
 
-/// SMPTE ST 268: generic header, then image header; the magic number tells the order of bytes.
+/// SMPTE ST 268: generic header, then image header; the magic number gives the byte order.
 void check_dpx(const std::filesystem::path& file) {
   constexpr std::int64_t kNoSize = 0xffffffff;
   constexpr std::int64_t kHeaders = 2048;
@@ -129,7 +129,7 @@ class PsdPromises {
     while (psd_.position() < end) {
       psd_.go_to(psd_.position() + kSignatureAndId);
       const std::int64_t name = psd_.number(1);
-      psd_.go_to(psd_.position() + (name | 1));  // padded: the length's byte and the name are an even number
+      psd_.go_to(psd_.position() + (name | 1));  // padded: the length byte and the name are even together
       const std::int64_t data = psd_.number(4);
       psd_.go_to(psd_.end_of("an image resource", data) + data % 2);
     }

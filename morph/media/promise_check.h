@@ -1,17 +1,17 @@
 #pragma once
-// Headers of GIF, BMP, DPX and PSD files that promise more than there is: OpenImageIO allocates what they say when it
-// opens the file.
+// Checks the headers of GIF, BMP, DPX and PSD files for sizes beyond the file: OpenImageIO allocates the sizes in the
+// header when it opens the file.
 
 #include <filesystem>
 #include <string>
 
 namespace morphkit::media {
 
-/// Looks at width, height and the lengths of what stands before the pixels; does nothing for other formats. Cost: a few
-/// reads of the headers; nothing is allocated.
-/// @param format  as sniff_format gives it.
-/// @throws Error kBadInput with the size that is beyond the limits of image_format.h, or the length and the byte where
-///     it is promised if the file has no room for it.
+/// Checks width, height and the lengths of the blocks before the pixels; does nothing for other formats. Cost: a few
+/// reads of the headers, no allocation.
+/// @param format  from sniff_format.
+/// @throws Error kBadInput with a size beyond the limits of image_format.h, or a length beyond the end of the file and
+///     the byte where it stands.
 void check_promises(const std::filesystem::path& file, const std::string& format);
 
 }  // namespace morphkit::media

@@ -37,7 +37,7 @@ const Layout& layout_of(RawFormat format) {
   return kLayouts[static_cast<std::size_t>(format)];
 }
 
-// Rows of codes that are made together, a whole number of chroma rows.
+// Rows of codes that are made together: a whole number of chroma rows.
 constexpr int kBandRows = 16;
 
 /// Calls fn(begin, end) for bands of a frame's rows, in parallel.
@@ -46,7 +46,7 @@ void for_bands(cv::Size size, const Fn& fn) {
   for_rows(size.height, fn, kBandRows);
 }
 
-/// The row of the image that a row of a frame shows: rows that the image has not repeat its last.
+/// The row of the image for a row of the frame: rows below the image repeat its last row.
 std::span<const warp::Pixel> row_of(const warp::Image& image, int y) {
   return {image[std::min(y, image.rows - 1)], static_cast<std::size_t>(image.cols)};
 }
@@ -71,7 +71,7 @@ void put_rgb(const warp::Image& image, const Layout& layout, cv::Size size, std:
 constexpr float kWeightR = 0.2126F, kWeightG = 0.7152F, kWeightB = 0.0722F;
 constexpr float kScaleCb = 1.8556F, kScaleCr = 1.5748F;
 
-/// How the planes of a frame come from display-referred colour.
+/// Weights that make the planes of a frame from display-referred colour.
 struct YuvWeights {
   warp::CodeWeights y, cb, cr, alpha;
 
@@ -87,7 +87,7 @@ struct YuvWeights {
   }
 };
 
-/// Where the planes of a Y'CbCr frame lie: luma, both colour differences, alpha.
+/// The places of the planes of a Y'CbCr frame: luma, both colour differences, alpha.
 template <typename Code>
 struct YuvPlanes {
   YuvPlanes(const Layout& layout, cv::Size size, std::uint8_t* bytes)
@@ -127,7 +127,7 @@ void put_yuv(const warp::Image& image, const Layout& layout, cv::Size size, std:
       const bool halved = layout.down == 2 && y + 1 < end;
       put_luma(y, upper);
       if (halved) put_luma(y + 1, lower);
-      // Halved chroma lies on the even luma columns (chroma_sample_location left, what H.264 and VP9 players assume).
+      // Halved chroma lies on the even luma columns (chroma_sample_location left, as H.264 and VP9 players assume).
       warp::mean_row(upper, halved ? lower : upper, layout.across, mean);
       const std::size_t first = planes.chroma_width * static_cast<std::size_t>(y / layout.down);
       warp::weighted_codes(mean, weights.cb, planes.cb + first);

@@ -1,5 +1,5 @@
 #pragma once
-// Frames as the uncompressed pixels that ffmpeg takes on its standard input. Internal to morph/media.
+// Frames as uncompressed pixels for the standard input of ffmpeg. Internal to morph/media.
 
 #include <cstdint>
 #include <string>
@@ -9,24 +9,25 @@
 
 namespace morphkit::media {
 
-/// Uncompressed pixel layouts. RGB is full range, Y'CbCr is BT.709 limited range; alpha is straight and full range.
+/// Uncompressed pixel layouts. RGB is full range, Y'CbCr is BT.709 limited range; colour is unpremultiplied, alpha is
+/// full range.
 enum class RawFormat {
   kRgb24,      ///< 8 bit
-  kRgba,       ///< 8 bit, straight alpha
+  kRgba,       ///< 8 bit, unpremultiplied
   kRgb48,      ///< 16 bit
-  kRgba64,     ///< 16 bit, straight alpha
+  kRgba64,     ///< 16 bit, unpremultiplied
   kYuv420p,    ///< 8 bit, chroma halved both ways
-  kYuva420p,   ///< the same with straight alpha
+  kYuva420p,   ///< the same with alpha
   kYuv422p10,  ///< 10 bit, chroma halved across
-  kYuva444p10  ///< 10 bit with straight alpha
+  kYuva444p10  ///< 10 bit with alpha
 };
 
 /// ffmpeg's name for it (-pix_fmt).
 const char* pix_fmt(RawFormat format);
 
-/// The image as one raw frame of `size`, which is at least the image's: what is missing at the right and at the bottom
-/// repeats the last column and row. Formats without alpha get the image over black. RGB codes are the nearest ones,
-/// Y'CbCr codes the nearest to what kDisplayTolerance leaves (warp/color_rows.h); what does not fit is clamped; NaN
+/// The image as one raw frame of `size`, which is at least the size of the image: missing columns at the right and rows
+/// at the bottom repeat the last ones. Formats without alpha get the image over black. RGB codes are the nearest ones,
+/// Y'CbCr codes are nearest within kDisplayTolerance (warp/image/color_rows.h). Values out of range are clamped; NaN
 /// counts as 0. Cost: O(pixels), parallel over rows; see tests/bench/codec_bench.cpp.
 std::vector<std::uint8_t> raw_frame(const warp::Image& image, RawFormat format, cv::Size size);
 

@@ -16,7 +16,7 @@
 namespace morphkit::media {
 namespace {
 
-// GIF counts hundredths of a second, and players take a delay below 2 for "unspecified" and show 10 frames a second.
+// GIF counts hundredths of a second, and players treat a delay below 2 as "unspecified" and show 10 frames a second.
 constexpr int kGifMaxFps = 50;
 
 constexpr std::array<VideoFormat, 6> kFormats = {{
@@ -34,10 +34,11 @@ void append(Arguments& arguments, std::initializer_list<std::string_view> more) 
   arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
-// What the frames are, said to the encoder and to the file: BT.709 primaries, and the sRGB curve, since that is what
-// the codes hold (warp/color.h). Tagging BT.709's curve instead would be untrue, and players that manage colour
-// (mpv, macOS) would show the video darker than the same frame as PNG; the others look at neither.
-// The filter marks the frames, for encoders that look there; the options the encoder's context and the container.
+// Colour tags for the encoder and the file: BT.709 primaries and the sRGB curve, which the codes really have
+// (warp/image/color.h). A tag for BT.709's curve would be wrong: players that manage colour (mpv, macOS) would show the
+// video darker than the same frame as PNG. Other players ignore both tags.
+// The filter tags the frames, for encoders that read tags there; the options tag the encoder's context and the
+// container.
 constexpr std::string_view kYuvTags =
     "setparams=range=tv:color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709";
 constexpr std::string_view kRgbTags = "setparams=range=pc:color_primaries=bt709:color_trc=iec61966-2-1:colorspace=gbr";
@@ -47,8 +48,8 @@ void append_tags(Arguments& arguments, bool yuv) {
                      yuv ? "bt709" : "rgb", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1"});
 }
 
-// Presets, by their speed; the first is the default. Figures are of 48 frames of a 1080p morph of photographs, CPU time
-// of the codec for a frame, at the default CRF.
+// Presets, by their speed; the first is the default. Figures: 48 frames of a 1080p morph of photographs at the default
+// CRF, with the codec's CPU time per frame.
 //   x264: ultrafast 16 ms, 3.6 MB, 48.1 dB; superfast 26, 1.5, 48.4; veryfast 45, 0.95, 47.6; medium 101, 0.96, 48.7.
 //   VP9: realtime (cpu-used 6) 37 ms, 0.86 MB, 47.8 dB; good (cpu-used 4) 164, 0.61, 47.8.
 constexpr std::array<std::string_view, 10> kX264Presets = {"veryfast", "ultrafast", "superfast", "faster",   "fast",
@@ -69,7 +70,7 @@ void append_h264(Arguments& arguments, const std::string& crf, std::string_view 
 }
 
 void append_vp9(Arguments& arguments, const std::string& crf, std::string_view deadline, bool has_alpha) {
-  // -b:v 0 makes the quality constant; cpu-used 4 is the fastest that "good" has without loss of features.
+  // -b:v 0 makes the quality constant; cpu-used 4 is the fastest of "good" without loss of features.
   append(arguments, {"-c:v", "libvpx-vp9", "-crf", crf, "-b:v", "0", "-deadline", deadline, "-cpu-used",
                      deadline == "realtime" ? "6" : "4", "-row-mt", "1", "-chroma_sample_location", "left"});
   // libvpx codes alpha as a second stream, which cannot have invisible reference frames.
@@ -78,7 +79,7 @@ void append_vp9(Arguments& arguments, const std::string& crf, std::string_view d
 }
 
 void append_ffv1(Arguments& arguments) {
-  // Every frame alone, in four slices with checksums: seekable, decodable in parallel, damage is found.
+  // Every frame alone, in four slices with checksums: seekable, decodable in parallel, and damage is detected.
   append(arguments, {"-c:v", "ffv1", "-level", "3", "-g", "1", "-slices", "4", "-slicecrc", "1"});
   append_tags(arguments, false);
 }
@@ -99,7 +100,7 @@ void append_gif(Arguments& arguments, bool has_alpha) {
 }
 
 void append_apng(Arguments& arguments, int compression) {
-  // As for still PNG: one filter and little search unless small files are asked for.
+  // As for still PNG: one filter and little search, unless the user asks for compression.
   append(arguments, {"-c:v", "apng", "-pred", compression < 0 ? "avg" : "mixed", "-compression_level",
                      std::to_string(compression < 0 ? 1 : compression), "-plays", "0"});
   append_tags(arguments, false);
@@ -191,7 +192,7 @@ std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOpt
   // Without bitexact, containers hold dates, random identifiers and version numbers. x264's bytes depend on the number
   // of threads, so it must not depend on the machine.
   append(arguments, {"-threads", "4", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-f", format.muxer});
-  // With "file:", a name such as "a:b.mp4" is not taken for a protocol, nor one such as "-x.mp4" for an option.
+  // With "file:", ffmpeg does not read the name "a:b.mp4" as a protocol or "-x.mp4" as an option.
   arguments.push_back("file:" + file.string());
   return arguments;
 }

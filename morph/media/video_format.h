@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of video and animation, and how ffmpeg is asked for each. Internal to morph/media.
+// The kinds of video and animation, and the ffmpeg command for each. Internal to morph/media.
 
 #include <filesystem>
 #include <string>
@@ -21,24 +21,24 @@ namespace morphkit::media {
 /// | .gif      | 256 colours per frame, for ever                 | kept, on or off    |                        |
 /// | .apng     | RGB 8 bit, lossless, for ever                   | kept               | compression 0..9       |
 ///
-/// Presets, ffmpeg's own names: those of x264 for .mp4 (ultrafast .. placebo, default veryfast), the deadlines of
+/// Presets have ffmpeg's names: those of x264 for .mp4 (ultrafast .. placebo, default veryfast), the deadlines of
 /// libvpx for .webm (realtime, the default, good, best).
 struct VideoFormat {
   const char* extension;  ///< lower case, with the dot
   const char* muxer;      ///< ffmpeg's -f
-  RawFormat opaque;       ///< what is piped when frames are opaque
-  RawFormat alpha;        ///< what is piped when they may be transparent; `opaque` if the format has no alpha
+  RawFormat opaque;       ///< piped format of opaque frames
+  RawFormat alpha;        ///< piped format of frames that may be transparent; `opaque` if the format has no alpha
   bool even_size;         ///< whether width and height must be even
   int default_crf;        ///< -1: the codec has no such scale
   int worst_crf;          ///< largest CRF
   int max_fps;            ///< 0: any
 
   RawFormat raw(bool has_alpha) const { return has_alpha ? alpha : opaque; }
-  /// px, of the frames that are piped.
+  /// Size of the piped frames, px.
   cv::Size coded_size(cv::Size size) const;
 };
 
-/// The kind told by the extension, in any case; nullptr if it is none.
+/// The kind for the extension, in upper or lower case; nullptr if there is none.
 const VideoFormat* find_video_format(const std::filesystem::path& file);
 
 /// ".mp4, .webm, ...": for messages.
@@ -46,7 +46,8 @@ std::string video_extensions();
 
 /// ffmpeg and its arguments: raw frames on standard input, the video in `file`. The same options and the same frames
 /// give the same bytes.
-/// @throws Error kUsage, naming `shown`, for a quality, preset, compression or frame rate that the kind has not.
+/// @throws Error kUsage, naming `shown`, for a quality, preset, compression or frame rate that the kind does not
+/// support.
 std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOptions& options,
                                         const std::filesystem::path& file, const std::filesystem::path& shown);
 

@@ -58,11 +58,11 @@ void VideoSink::finish() {
   output_.commit();
 }
 
-/// ffmpeg has ended before its time, or badly.
+/// Throws the error for an ffmpeg that ended too early or with a failure.
 void VideoSink::report_end() {
   const Process::Exit end = ffmpeg_.finish();
   std::string lines = ffmpeg_.last_lines();
-  // The disk's refusals are not ffmpeg's fault; it quotes the system's own words.
+  // Disk errors are not ffmpeg's fault; it quotes the messages of the system.
   const bool disk = lines.find(std::strerror(ENOSPC)) != std::string::npos ||
                     lines.find(std::strerror(EDQUOT)) != std::string::npos ||
                     lines.find(std::strerror(EIO)) != std::string::npos;

@@ -1,5 +1,5 @@
 #pragma once
-// Frames into a video or animation file, through the ffmpeg program. Internal to morph/media.
+// Writes frames to a video or animation file through the ffmpeg program. Internal to morph/media.
 
 #include <filesystem>
 #include <vector>
@@ -12,7 +12,7 @@
 namespace morphkit::media {
 
 /// `encode` makes raw pixels, `write` pipes them to ffmpeg, which writes to a temporary file beside the target;
-/// `finish` renames it. Memory: one pipe buffer, and what the codec looks ahead.
+/// `finish` renames it. Memory: one pipe buffer, and the codec's look-ahead.
 class VideoSink final : public FrameSink {
  public:
   /// @throws Error as open_sink does.
@@ -33,7 +33,7 @@ class VideoSink final : public FrameSink {
   cv::Size size_;
   bool has_alpha_;
   bool any_frame_ = false;
-  AtomicFile output_;  ///< outlives ffmpeg: removed only when nobody writes to it any more
+  AtomicFile output_;  ///< outlives ffmpeg: the file is removed only after its last write
   Process ffmpeg_;
 };
 

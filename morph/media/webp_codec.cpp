@@ -52,7 +52,7 @@ std::vector<std::uint8_t> encode_webp(const std::filesystem::path& file, std::sp
   bool ok = WebPConfigPreset(&config, WEBP_PRESET_PHOTO, static_cast<float>(quality)) != 0;
   if (quality >= kLossless) {
     ok = ok && WebPConfigLosslessPreset(&config, kLosslessEffort) != 0;
-    config.exact = 1;  // colour under alpha 0 stays what it is
+    config.exact = 1;  // keep the colour of transparent pixels
   } else {
     config.use_sharp_yuv = 1;
   }

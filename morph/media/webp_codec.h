@@ -1,7 +1,7 @@
 #pragma once
-// WebP through libwebp itself. OpenImageIO 2.4 multiplies WebP's colour by alpha in 8 bits on the way in, where the
-// hint that stops it for other formats is ignored, and writes every file from chroma at half resolution, lossless ones
-// too: neither comes back as it was.
+// WebP through libwebp itself. OpenImageIO 2.4 premultiplies WebP in 8 bits when it reads, and ignores the hint that
+// stops this for other formats. When it writes, it halves the resolution of chroma, even for lossless files. Both lose
+// data.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,13 +18,13 @@ struct WebpHeader {
 /// @throws Error kBadInput if it is damaged or an animation.
 WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
-/// 8-bit sRGB, RGBA, straight alpha. @throws Error kBadInput if it is damaged or cut short.
+/// 8-bit sRGB, unpremultiplied RGBA. @throws Error kBadInput if it is damaged or cut short.
 std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
-/// @param samples   `width * height * channels` samples, RGB or RGBA with straight alpha.
+/// @param samples   `width * height * channels` samples, RGB or unpremultiplied RGBA.
 /// @param channels  3 or 4.
 /// @param quality   1..99 lossy, 100 lossless.
-/// @throws Error kFailed if the encoder gives up.
+/// @throws Error kFailed if the encoder fails.
 std::vector<std::uint8_t> encode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> samples,
                                       int width, int height, int channels, int quality);
 

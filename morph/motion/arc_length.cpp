@@ -10,9 +10,9 @@ namespace {
 
 using Node = ArcLength::Node;
 
-// One agreement of halves and whole can be luck, so every segment is halved this often unasked ...
+// Halves may agree with the whole by chance, so every segment is halved at least this often ...
 constexpr int kMinDepth = 3;
-// ... and never more often than this: 2^-40 of a segment, the reach of a cusp at 1e-6 in a curve of 1e6.
+// ... and at most this often: 2^-40 of a segment is the size of a cusp at 1e-6 in a curve of 1e6.
 constexpr int kMaxDepth = 40;
 constexpr double kRoundingShare = 1e-13;
 
@@ -21,7 +21,7 @@ double speed(const Curve& curve, double u) {
   return std::hypot(d.x, d.y);
 }
 
-// Gauss-Legendre with five nodes: exact for |Q'| up to degree nine. Its nodes are inside, so a joint is never asked.
+// Gauss-Legendre with five nodes: exact for |Q'| up to degree nine. Its nodes are inside, so no joint is evaluated.
 double integrate(const Curve& curve, double from, double to) {
   constexpr std::array kNodes = {0.0, 0.53846931010568309104, 0.90617984593866399280};
   constexpr std::array kWeights = {0.56888888888888888889, 0.47862867049936646804, 0.23692688505618908751};
@@ -69,7 +69,7 @@ double ArcLength::length_at(double u) const {
 
 double ArcLength::parameter_at(double s) const {
   if (!(s > 0)) return 0;
-  // The first node beyond s: its interval has a length, whatever stretches without any lie before it.
+  // The first node beyond s. Its interval has a length above 0, even after pieces of length 0.
   const auto after = std::upper_bound(table_.begin(), table_.end(), s, [](double x, Node node) { return x < node.s; });
   if (after == table_.end()) return curve_.segments();
   const Node before = *(after - 1);

@@ -1,5 +1,5 @@
 #pragma once
-// Travel along a curve at even speed.
+// Travel along a curve at constant speed.
 
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace morphkit::motion {
 
-/// Arc length along a curve and its inverse: an adaptive table of (u, s), refined until halves agree with the whole
-/// (Guenter & Parent 1990; Parent 3.2.1). Holds a copy of the curve.
+/// Arc length along a curve and its inverse: an adaptive table of (u, s), refined until both halves of each piece agree
+/// with the whole (Guenter & Parent 1990; Parent 3.2.1). Holds a copy of the curve.
 class ArcLength {
  public:
   struct Node {
     double u, s;
   };
 
-  /// @param tolerance  absolute error of the total length, same unit as the points; > 0. Not held below 1e-13 of the
-  ///                   length of the control polygon, where rounding rules.
+  /// @param tolerance  absolute error of the total length, same unit as the points; > 0. Not kept below 1e-13 of the
+  ///                   length of the control polygon, where rounding dominates.
   explicit ArcLength(Curve curve, double tolerance = 1e-6);
 
   double total() const noexcept { return table_.back().s; }
@@ -26,7 +26,8 @@ class ArcLength {
   double parameter_at(double s) const;
 
   const Curve& curve() const noexcept { return curve_; }
-  /// From (0, 0) to (segments, total); holds every joint and is dense where the speed |Q'| changes fast, as at cusps.
+  /// From (0, 0) to (segments, total). It holds every joint and is dense where the speed |Q'| changes fast, as at
+  /// cusps.
   const std::vector<Node>& table() const noexcept { return table_; }
 
  private:

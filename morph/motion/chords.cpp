@@ -26,8 +26,8 @@ struct Sample {
   cv::Point2d point;
 };
 
-// A sample's share of a chord is at most 1/8, so beside the top of an arc (a parabola) the nearest sample is at most
-// 1/16 chord away and misses 1/64 of the arc's height. The table's nodes add joints and cusps, where the top is sharp.
+// Samples are at most 1/8 chord apart. The one nearest to the top of an arc (a parabola) is then at most 1/16 chord
+// away and misses 1/64 of the arc's height. The nodes of the table add joints and cusps, where the top is sharp.
 constexpr int kSamplesPerChord = 8;
 constexpr double kSeenShare = 63.0 / 64.0;
 

@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<cv::Point2d>;
 
-// Far beyond any image; keeps the sums and products of coordinates exact enough to mean something.
+// Far beyond any image. Keeps sums and products of coordinates accurate enough to be useful.
 constexpr double kLargestCoordinate = 1e12;
 
 double length(cv::Point2d v) {
@@ -26,9 +26,9 @@ Points polyline_pieces(const Points& points, std::size_t segments) {
   return bezier;
 }
 
-// Half the Catmull-Rom tangent's chords are shared by a short and a long neighbour; scaling by 2 l / (l + l_neighbour)
-// gives each segment a tangent of its own size, so the curve does not double back beside a long segment
-// (Gascuel & Lyon 1995, eq. 3). `own` is the length of the segment that the tangent is for.
+// A Catmull-Rom tangent is shared by a short and a long neighbour. Scaling by 2 l / (l + l_neighbour) gives each
+// segment a tangent of its own size, so the curve does not double back beside a long segment (Gascuel & Lyon 1995, eq.
+// 3). `own` is the length of the tangent's segment.
 cv::Point2d tangent(cv::Point2d chord_before, cv::Point2d chord_after, double own) {
   const double sum = length(chord_before) + length(chord_after);
   return sum > 0 ? (chord_before + chord_after) * (own / sum) : cv::Point2d{};
@@ -36,7 +36,7 @@ cv::Point2d tangent(cv::Point2d chord_before, cv::Point2d chord_after, double ow
 
 Points catmull_rom_pieces(const Points& points, std::size_t segments, bool closed) {
   const std::size_t n = points.size();
-  // chords[i + 1] leads from point i to the next; the two at the outside reflect their neighbours (P_-1 = 2 P_0 - P_1).
+  // chords[i + 1] leads from point i to the next; the outermost two reflect their neighbours (P_-1 = 2 P_0 - P_1).
   Points chords(segments + 2);
   for (std::size_t i = 0; i < segments; ++i) chords[i + 1] = points[(i + 1) % n] - points[i];
   chords.front() = closed ? chords[segments] : chords[1];

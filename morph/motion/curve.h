@@ -19,11 +19,11 @@ enum class CurveKind {
 class Curve {
  public:
   /// @param closed  joins the last point to the first.
-  /// @throws std::invalid_argument with the sentence of `problem` if the points do not make a curve.
+  /// @throws std::invalid_argument with the text of `problem` if the points do not make a curve.
   Curve(CurveKind kind, std::vector<cv::Point2d> points, bool closed);
 
-  /// Why these points make no curve of this kind (too few, wrong number, not finite, beyond 1e12, zero length), or
-  /// nothing.
+  /// Why these points make no curve of this kind (too few, wrong number, not finite, beyond 1e12, zero length); nullopt
+  /// if they do.
   static std::optional<std::string> problem(CurveKind kind, const std::vector<cv::Point2d>& points, bool closed);
 
   int segments() const noexcept { return static_cast<int>(bezier_.size() / 3); }
@@ -31,7 +31,8 @@ class Curve {
 
   /// The point at u, which is clamped to [0, segments()]; at whole u exactly the point on the curve.
   cv::Point2d at(double u) const;
-  /// dQ/du; at a joint that of the segment that begins there. Zero at a cusp and on a segment without length.
+  /// dQ/du; at a joint, the derivative of the segment that begins there. Zero at a cusp and on a segment without
+  /// length.
   cv::Point2d derivative(double u) const;
 
  private:
@@ -44,8 +45,8 @@ class Curve {
 std::vector<cv::Point2d> equal_arc_points(const Curve& curve, int n);
 
 /// The smallest number of chords, in [1, limit], for which every point of the curve is within `tolerance_px` (> 0) of
-/// the equal-arc chord that spans it; `limit` if no number does. Closed: at least 3. A larger number need not be as
-/// good: it may cut a corner that a smaller one meets. Corners of a polyline at uneven lengths cost many chords. Cost:
+/// the equal-arc chord that spans it; `limit` if no number does. Closed: at least 3. A larger number may be worse: it
+/// may cut a corner that a smaller one meets. A polyline with corners at uneven lengths needs many chords. Cost:
 /// O(limit^2) point-to-chord distances at worst.
 int chords_needed(const Curve& curve, double tolerance_px, int limit);
 

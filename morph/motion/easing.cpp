@@ -20,8 +20,8 @@ std::optional<std::string> breaks_problem(double first, double second, const std
   return a + ", " + b + " must satisfy 0 <= " + a + " <= " + b + " <= 1";
 }
 
-// One overload of `invalid` and of `shape` per easing. `shape` is asked for t strictly inside (0, 1), so the divisions
-// by a piece's width are safe: a piece of width 0 is never entered.
+// One overload of `invalid` and of `shape` per easing. `shape` is called with t strictly inside (0, 1), so divisions by
+// the width of a piece are safe: t never lies in a piece of width 0.
 
 std::optional<std::string> invalid(const LinearEase&) {
   return std::nullopt;
@@ -79,7 +79,7 @@ double bezier_slope(double a, double b, double u) {
 }
 
 // x(u) = t by Newton inside a shrinking bracket. x rises since x1 and x2 are in [0, 1], but its slope may be 0 (handles
-// at 1 and 0): the bracket's middle then stands in.
+// at 1 and 0): then the bracket's middle is used.
 double shape(const CubicBezierEase& e, double t) {
   constexpr int kIterations = 80;
   constexpr double kPrecision = 1e-15;
@@ -138,7 +138,7 @@ double ease(const Easing& easing, double t) {
 }
 
 double progress(const Timing& timing, double t) {
-  // Compared before dividing: (1 - 0.1) / 0.9 need not be 1.
+  // Compare before dividing: (1 - 0.1) / 0.9 may differ from 1.
   if (t >= timing.delay + timing.duration) return ease(timing.easing, 1);
   if (t <= timing.delay) return ease(timing.easing, 0);
   return ease(timing.easing, (t - timing.delay) / timing.duration);

@@ -49,7 +49,7 @@ struct KeysEase {
 
 using Easing = std::variant<LinearEase, SineEase, SinusoidalEase, ParabolicEase, CubicBezierEase, StepEase, KeysEase>;
 
-/// What is wrong with the parameters, in one sentence that says what would be right; nothing if they are good.
+/// What is wrong with the parameters and what would be right, in one sentence; nullopt if they are good.
 std::optional<std::string> problem(const Easing& easing);
 
 /// Progress at t in [0, 1] (clamped). f(0) = 0 and f(1) = 1 exactly, except that KeysEase gives its own end values.
@@ -59,13 +59,13 @@ double ease(const Easing& easing, double t);
 /// An easing that starts late and runs for part of the time.
 struct Timing {
   Easing easing = LinearEase{};
-  double delay = 0;     ///< fraction of the transition before anything happens, [0, 1]
-  double duration = 1;  ///< fraction of the transition that it takes, >= 0; 0 is a jump at `delay`
+  double delay = 0;     ///< fraction of the transition before the start, [0, 1]
+  double duration = 1;  ///< fraction of the transition, >= 0; 0 is a jump at `delay`
   bool operator==(const Timing&) const = default;
 };
 
-/// ease(timing.easing, (t - delay) / duration), clamped to before and after. With delay + duration <= 1 the ends are
-/// exact: progress(0) = 0 (unless a jump at 0) and progress(1) = 1.
+/// ease(timing.easing, (t - delay) / duration), with the fraction clamped to [0, 1]. With delay + duration <= 1 the
+/// ends are exact: progress(0) = 0 (unless a jump at 0) and progress(1) = 1.
 double progress(const Timing& timing, double t);
 
 }  // namespace morphkit::motion

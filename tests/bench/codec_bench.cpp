@@ -1,5 +1,4 @@
-// What a 1080p frame costs on its way into a file: its conversion to codes (argument: threads), and the still
-// image formats.
+// The cost of writing a 1080p frame: its conversion to codes (argument: threads), and the still image formats.
 
 #include <cmath>
 #include <random>
@@ -21,7 +20,7 @@ namespace {
 
 const cv::Size kSize(1920, 1080);
 
-/// A painted portrait with the noise of a camera: how fast a codec is depends on what it is given.
+/// A painted portrait with the noise of a camera: the speed of a codec depends on the picture.
 const warp::Image& frame() {
   static const warp::Image image = [] {
     cv::Mat4b large;

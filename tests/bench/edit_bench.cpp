@@ -1,6 +1,5 @@
-// From the hand to the picture: plays recorded gestures on the preview tool and times every event until the canvas
-// shows what it did, the preview included. Not a google-benchmark: it is the tail that is felt, so percentiles are
-// printed.
+// Latency of the preview tool: plays recorded gestures and times every event until the canvas and the preview show its
+// effect. Not a google-benchmark: people feel the slowest events, so it prints percentiles.
 //   bench_edit [FEATURES=50] [WIDTH=1920 HEIGHT=1080]
 
 #include <algorithm>
@@ -65,7 +64,7 @@ project::Project marked(cv::Size size, int features) {
   return project;
 }
 
-/// Plays events and keeps how long each took to show.
+/// Plays events and records the time until each is visible.
 class Player {
  public:
   explicit Player(Editor& editor) : editor_(editor) {}
@@ -79,11 +78,11 @@ class Player {
     timed([&] { editor_.mouse(event); });
   }
 
-  /// A hand that swings from `from` to `to` and back.
+  /// Drags from `from` to `to` and back.
   void drag(cv::Point from, cv::Point to, Mouse::Button button = Mouse::Button::kLeft) {
     mouse(Mouse::What::kMove, from);
     mouse(Mouse::What::kPress, from, button);
-    times_.clear();  // what counts is the drag
+    times_.clear();  // only the drag counts
     for (int i = 0; i < kMoves; ++i) {
       const double swing = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * i / kMoves);
       mouse(Mouse::What::kMove, from + cv::Point(cv::Point2d(to - from) * swing));

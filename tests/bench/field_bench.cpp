@@ -1,4 +1,4 @@
-// The line field alone: a 1080p frame, two targets; and what the machine could do at best.
+// The line field alone: a 1080p frame, two targets; and the peak speed of the machine.
 
 #include <benchmark/benchmark.h>
 
@@ -36,7 +36,7 @@ LineField make_field(int lines, LineWeight weight) {
   return {set, 2};
 }
 
-/// A whole frame, band by band, as a renderer asks for it: into maps that are used up while they are in the cache.
+/// A whole frame, band by band like a renderer: into maps that stay in the cache until they are used.
 void evaluate_frame(const LineField& field, FieldAccuracy accuracy) {
   for_rows(
       kHeight,
@@ -82,8 +82,8 @@ void field(benchmark::State& state, FieldAccuracy accuracy, LineWeight weight) {
   set_threads(0);
 }
 
-/// The floor: operations that a line costs at a pixel, both sides at once, at the rate at which the processor can do
-/// them. Its time is that of 50 lines.
+/// The lower limit: the operations of a line at a pixel, for both sides at once, at the peak speed of the processor.
+/// Its time is for 50 lines.
 void flop_floor(benchmark::State& state) {
   constexpr double kFlopPerPixelLine = 38, kFlop = kFlopPerPixelLine * kWidth * kHeight * 50;
   std::int64_t flop = 0;

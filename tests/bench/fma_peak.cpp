@@ -16,8 +16,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 std::int64_t fma_rounds(std::int64_t rounds) {
   const hn::ScalableTag<float> d;
   const auto factor = hn::Set(d, 0.9999f), term = hn::Set(d, 0.0001f);
-  // As many as hide the latency of one: 4 cycles, two at once, and some to spare. Each from a number of its own, or the
-  // compiler would see that they are all the same.
+  // Enough chains to hide the latency of one: 4 cycles, two at once, and some to spare. Each begins with a different
+  // number, or the compiler would see that all are the same.
   const auto start = [d](float value) {
     benchmark::DoNotOptimize(value);
     return hn::Set(d, value);

@@ -1,5 +1,5 @@
 #pragma once
-// What the processor can do at best, for benchmarks to compare with.
+// The peak speed of the processor, as a reference for benchmarks.
 
 #include <cstdint>
 

@@ -24,7 +24,7 @@ warp::Image noise(unsigned seed) {
   return image;
 }
 
-/// Random lines of 40 to 200 px whose ends move by up to 20 px: what people draw on a face.
+/// Random lines of 40 to 200 px with ends that move by up to 20 px, as people draw them on a face.
 project::Project random_project(int lines) {
   std::mt19937 random(42);
   const auto uniform = [&](double low, double high) {

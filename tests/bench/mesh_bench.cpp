@@ -1,6 +1,6 @@
-// Mesh warps: a line, an image, a whole 1080p morph frame (two warps and the dissolve), and how close to the truth they
-// come. Beside them, on the same meshes and pictures, Debian's libmorph, where it is installed: 8 bits, three channels,
-// its filters "bilinear" and "lanczos" (its default). What is skipped says so.
+// Mesh warps: a line, an image, a whole 1080p morph frame (two warps and the dissolve), and their accuracy. For
+// comparison, Debian's libmorph on the same meshes and pictures, if it is installed: 8 bits, three channels, its
+// filters "bilinear" and "lanczos" (its default). Skipped benchmarks say so.
 
 #include <cmath>
 #include <cstdint>
@@ -17,7 +17,7 @@
 #include "warp/mesh/mesh_warp.h"
 
 #ifdef MORPHKIT_HAVE_LIBMORPH
-// Debian's headers of it include one that is not shipped.
+// Debian's headers include one that Debian does not ship.
 extern "C" {
 void warp_image_versatile(const unsigned char* source, int source_width, int source_height, int source_channels,
                           int source_row_stride, int source_pixel_stride, unsigned char* destination,
@@ -34,7 +34,7 @@ namespace {
 
 const cv::Size kFrame(1920, 1080);
 const cv::Size kPhotographSize(600, 400);
-constexpr int kStride = 11;  // of the pixels that are compared with the truth
+constexpr int kStride = 11;  // between pixels that are compared
 
 Image noise(unsigned seed) {
   std::mt19937 random(seed);
@@ -88,7 +88,7 @@ void vertices_and_threads(Registered* to) {
   to->Unit(benchmark::kMillisecond)->UseRealTime();
 }
 
-/// For what is measured in dB.
+/// Runs a quality measurement in dB once.
 void once(Registered* to) {
   to->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
@@ -132,7 +132,7 @@ BENCHMARK(frame)->Apply(vertices_and_threads);
 
 // ---- Quality, in dB, as counters.
 
-/// One picture with its meshes, and what is right.
+/// One picture with its meshes, and the correct result.
 struct Trial {
   Mesh from, to;
   Image source;
@@ -152,7 +152,7 @@ const Trial& plate_trial() {
   return trial;
 }
 
-/// Dense meshes of a smooth bend: whatever curves a warper draws through the vertices, the map is the same.
+/// Dense meshes of a smooth bend: the map is the same for any curves through the vertices.
 const Trial& photograph_trial(bool strong) {
   static const auto make = [](double swirl, unsigned seed) {
     const Photograph photograph(kPhotographSize);
@@ -217,7 +217,7 @@ Bytes to_bytes(const Image& image) {
   return bytes;
 }
 
-/// Its pixels have their centres at whole numbers: of all shifts by half a pixel, this one gives it the best pictures.
+/// Its pixel centres are whole numbers. Of all shifts by half a pixel, this one gives its best pictures.
 class Coordinates {
  public:
   explicit Coordinates(const Mesh& mesh) {

@@ -1,5 +1,5 @@
-// A whole job beside its codec alone: frames of a project rendered into a file or files, and the same frames, already
-// in memory, through the same sink and pipeline. Prints rates, CPU times and the largest resident size.
+// A whole job compared with its codec alone: frames of a project rendered to files, and the same frames, already in
+// memory, through the same sink and pipeline. Prints rates, CPU times and the largest resident size.
 //
 //   bench_pipeline PROJECT OUT [repetitions]
 
@@ -22,7 +22,7 @@
 namespace morphkit::render {
 namespace {
 
-/// Of one run; CPU times are ours and those of the programs that have ended.
+/// The cost of one run. CPU times include programs that have ended.
 struct Cost {
   double wall_s = 0, own_s = 0, children_s = 0;
 };

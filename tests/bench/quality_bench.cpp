@@ -1,5 +1,5 @@
-// How true sampling is, in dB of PSNR, and what it costs where a picture shrinks: a zone plate of 2048 x 2048 px
-// reduced by a radial map to 1024 x 1024. Beside it cv::remap and bilinear supersampling, on the same material.
+// Accuracy of sampling, in dB of PSNR, and its cost where a picture shrinks: a zone plate of 2048 x 2048 px reduced by
+// a radial map to 1024 x 1024. For comparison, cv::remap and bilinear supersampling on the same picture.
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -13,7 +13,7 @@
 namespace morphkit::warp {
 namespace {
 
-constexpr int kStride = 7;  // of the pixels that are compared with the truth
+constexpr int kStride = 7;  // between pixels that are compared
 
 struct Material {
   Image source = PlateReduction::source();
@@ -58,7 +58,7 @@ void plate_opencv(benchmark::State& state, int interpolation) {
   report(state, out);
 }
 
-/// What one does without a filter: the map at four times the size, bilinear, and the mean of 4 x 4 px.
+/// Supersampling, the method without a filter: the map at four times the size, bilinear, then the mean of 4 x 4 px.
 void plate_supersampled(benchmark::State& state) {
   set_threads(1);
   const Material& m = material();
@@ -76,8 +76,7 @@ void plate_supersampled(benchmark::State& state) {
   report(state, out);
 }
 
-/// A 1080p picture turned by 10 degrees, and made neither smaller nor larger: what a filter costs where it has nothing
-/// to average.
+/// A 1080p picture rotated by 10 degrees at its size: the cost of a filter with nothing to average.
 void turned(benchmark::State& state, Filter filter) {
   set_threads(1);
   const cv::Size size(1920, 1080);

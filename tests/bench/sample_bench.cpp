@@ -1,5 +1,6 @@
-// Sampling of 1080p RGBA float through a smooth random warp, beside cv::remap on the same material (which quantises
-// positions to 1/32 px), and two pictures with their dissolve beside cv::remap and cv::addWeighted. Argument: threads.
+// Sampling of 1080p RGBA float through a smooth random warp, compared with cv::remap on the same picture (which
+// quantises positions to 1/32 px); and two pictures with their dissolve, compared with cv::remap and cv::addWeighted.
+// Argument: threads.
 
 #include <benchmark/benchmark.h>
 
@@ -57,7 +58,7 @@ void count(benchmark::State& state) {
   state.counters["threads"] = static_cast<double>(threads());
 }
 
-/// Into a buffer that stays, as a renderer does it; allocation of the frame is not what is measured.
+/// Into a buffer that is reused, as in a renderer; the allocation of the frame is not measured.
 void sample_frame(benchmark::State& state, Filter filter) {
   set_threads(static_cast<int>(state.range(0)));
   const Image& from = source();
@@ -122,7 +123,7 @@ void sampled_pair(const Image (&from)[2], const Map (&map)[2], Filter filter, Im
       kSampleBand);
 }
 
-/// Both in turn, so that whatever else the machine does meets both. The time is ours.
+/// Runs both in turn, so that other load on the machine affects both. The reported time is ours.
 void pair_beside_opencv(benchmark::State& state, Filter filter, int interpolation) {
   set_threads(static_cast<int>(state.range(0)));
   Image from[2] = {pooled_image(kSize), pooled_image(kSize)};

@@ -1,5 +1,5 @@
-// Any bytes, read as an image: a picture or an Error, never anything else. The first byte chooses the extension (only
-// TGA depends on it), the rest is the file.
+// Reads any bytes as an image: the result is a picture or an Error, nothing else. The first byte chooses the extension
+// (only TGA depends on it), the rest is the file.
 
 #include <unistd.h>
 
@@ -23,7 +23,7 @@ const std::filesystem::path& folder() {
     const auto name = std::filesystem::temp_directory_path() / ("fuzz_image_" + std::to_string(::getpid()));
     std::filesystem::create_directories(name);
     std::atexit([] { std::filesystem::remove_all(folder()); });
-    // Small pictures find the same faults as large ones, sooner.
+    // Small pictures find the same faults as large ones, but sooner.
     morphkit::media::set_image_limits(ImageLimits{1 << 18, 4096, 16});
     return name;
   }();

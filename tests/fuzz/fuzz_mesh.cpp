@@ -1,4 +1,4 @@
-// The reader of xmorph's meshes: any bytes are a mesh or an Error, and what is a mesh survives writing.
+// The reader of xmorph's meshes: any bytes give a mesh or an Error, and a mesh survives writing.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The project reader: any bytes are a project or an Error, and what is a project survives saving.
+// The project reader: any bytes give a project or an Error, and a project survives saving.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The window of the preview tool in its main states, against pictures that people have looked at.
+// The window of the preview tool in its main states, against golden pictures that people have approved.
 
 #include <map>
 #include <memory>
@@ -26,7 +26,7 @@ namespace {
 
 const cv::Size kCanvas(1280, 720);
 
-/// Two pictures, a project and how they are looked at.
+/// Two pictures, a project and the state of the view.
 struct Scene {
   Scene(warp::Image first, warp::Image second, project::Project project, cv::Size canvas = kCanvas)
       : source_picture(std::move(first)),
@@ -38,7 +38,7 @@ struct Scene {
 
   const Pyramid& pyramid(SideIndex side) const { return side == kSource ? source : destination; }
 
-  /// What the result pane shows, at a third of the size, as a draft is: golden pictures of renders are elsewhere.
+  /// The image of the result pane, at a third of the size like a draft. Golden pictures of renders are elsewhere.
   PreviewPicture preview() const {
     PreviewRequest request;
     request.project = std::make_shared<project::Project>(model.document.project());
@@ -81,7 +81,7 @@ Scene scene_of(const std::string& name, bool with_features, cv::Size canvas = kC
           std::move(project), canvas};
 }
 
-/// The first few features of the sample: what a hand has after a minute.
+/// The first few features of the sample, like a project after a minute of work.
 Scene scene_with(std::size_t features) {
   Scene scene = scene_of("portraits", true);
   project::Project project = scene.model.document.project();
@@ -90,7 +90,7 @@ Scene scene_with(std::size_t features) {
   return scene;
 }
 
-/// Of one brightness, with a soft ramp and fine checks.
+/// A picture of nearly one brightness, with a soft ramp and a fine checkerboard.
 warp::Image plain(cv::Size size, float dark, float bright) {
   warp::Image image(size);
   for (int y = 0; y < size.height; ++y)
@@ -150,7 +150,7 @@ TEST(CanvasGolden, OnionSkinAndFolds) {
   Scene scene = scene_with(10);
   Model& model = scene.model;
   model.document.select({{0, 1, 2}, {}});
-  model.document.swap_end_on(kDestination);  // turned over: folds
+  model.document.swap_end_on(kDestination);  // the line is reversed, so the map folds
   model.switches.onion = true;
   model.t = 0.35;
   model.playing = true;
@@ -244,8 +244,8 @@ TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
   expect_looks("canvas-contrast", scene.drawn());
 }
 
-/// What has been drawn before must leave no trace.
-TEST(Canvas, DrawsTheSameModelTheSame) {
+/// Earlier drawings must leave no trace.
+TEST(Canvas, DrawsEqualModelsEqually) {
   Scene scene = scene_with(8);
   Canvas canvas(scene.source, scene.destination);
   const PreviewPicture preview = scene.preview();

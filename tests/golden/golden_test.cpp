@@ -1,5 +1,5 @@
-// Every sample, rendered the whole way from its files to 8-bit pictures, against the pictures that people have looked
-// at. Renew with scripts/renew-goldens.sh.
+// Every sample, rendered from its files to 8-bit pictures, against golden pictures that people have approved. Renew
+// with scripts/renew-goldens.sh.
 
 #include <algorithm>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Long side of golden pictures, px: large enough to see, small enough for the repository.
+/// Long side of golden pictures, px: large enough to judge, small enough for the repository.
 constexpr int kLongSide = 320;
 
 project::Project small(project::Project project) {
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class SampleCheck : public testing::TestWithParam<std::string> {};
 
-TEST_P(SampleCheck, HasNoFoldsAndNothingElseToComplainOf) {
+TEST_P(SampleCheck, HasNoFindings) {
   const test::TemporaryFolder folder;
   const project::Project project = project::load(samples::write(painted(GetParam()), folder.path(), true));
   const render::Renderer renderer(project, render::load_pictures(project));

@@ -1,5 +1,5 @@
 #pragma once
-// Errors that tests expect, and what they say.
+// Helpers for expected errors.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace morphkit::test {
 
-/// The Error that `action` throws. The test fails if it throws none; anything else passes through.
+/// The Error that `action` throws. The test fails if it throws none; other exceptions pass through.
 template <typename Action>
 Error error_of(const Action& action) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures that are known at every point, and how far what was made of them is from the truth.
+// Pictures with known values at every point, and the error of images made from them.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace morphkit::warp {
 
-/// The image of a picture, opaque grey; value(x, y) gives a pixel's grey from its centre.
+/// The image of a picture, opaque grey; value(x, y) gives the grey of the pixel with its centre at (x, y).
 template <typename Value>
 Image grey_image(cv::Size size, const Value& value) {
   Image image(size);
@@ -28,7 +28,7 @@ Image grey_image(cv::Size size, const Value& value) {
   return image;
 }
 
-/// cos(phase) around the middle of a square, of a frequency that grows with the distance; reduced by a radial map: an
+/// cos(phase) around the middle of a square, with a frequency that grows with the distance. A radial map reduces it: an
 /// offset r from the output's middle, in units of 1024 px, shows the offset r (2 r^2 + 1) of the source. From 1:1 in
 /// the middle to 4:1 along and 2:1 across at the corners of an output of 1024 px.
 struct RadialPlate {
@@ -44,7 +44,7 @@ struct RadialPlate {
     return cv::Point2d(source_size, source_size) / 2 + kUnit * (2 * offset.ddot(offset) + 1) * offset;
   }
 
-  /// Of the plate as it should appear in the output, cycles per pixel.
+  /// Frequency of the plate in a correct output, cycles per pixel.
   double frequency(cv::Point2d output) const {
     const cv::Point2d offset = (output - cv::Point2d(output_size, output_size) / 2) / kUnit;
     const double square = offset.ddot(offset);
@@ -56,7 +56,7 @@ struct RadialPlate {
   static constexpr double kChirp = 0.4 / 1448.2;  // cycles per px, per px
 };
 
-/// What a camera might see: texture whose waves weaken with their frequency, and the edges of discs and of a fence, as
+/// A scene as a camera might see it: texture of waves that weaken with frequency, and edges of discs and a fence, as
 /// sharp as a lens draws them. A pixel of its image is the mean over the pixel's square.
 class Photograph {
  public:
@@ -125,8 +125,7 @@ struct ReferencePixel {
   double grey = 0;
 };
 
-/// In dB, of a picture whose values reach from 0 to 1; over the references that `counts` picks. Not a number if there
-/// are none.
+/// PSNR in dB for values from 0 to 1, over the references that `counts` selects. NaN if there are none.
 template <typename Grey, typename Counts>
 double psnr(const std::vector<ReferencePixel>& references, const Grey& grey, const Counts& counts) {
   double sum = 0;
@@ -140,7 +139,7 @@ double psnr(const std::vector<ReferencePixel>& references, const Grey& grey, con
   return 10 * std::log10(number / sum);
 }
 
-/// The whole plate, where it ought to come through unharmed, and where it ought to vanish.
+/// Quality over the whole plate, over the part that should stay unchanged, and over the part that should vanish.
 struct PlateQuality {
   double whole = 0, passband = 0, alias_zone = 0;
 };

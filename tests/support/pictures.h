@@ -1,5 +1,5 @@
 #pragma once
-// Pictures and projects in memory, for tests that need no file.
+// Pictures and projects in memory, for tests without files.
 
 #include <cstring>
 #include <random>

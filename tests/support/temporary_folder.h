@@ -1,5 +1,5 @@
 #pragma once
-// A folder of one test's own, gone when the test is over, and what lies in files.
+// A temporary folder for one test, removed when the test ends, and the contents of files.
 
 #include <algorithm>
 #include <cstdint>
@@ -32,7 +32,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// Names of what lies in it, hidden ones too, sorted.
+  /// Names of everything in it, including hidden files, sorted.
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) found.push_back(entry.path().filename());

@@ -1,4 +1,4 @@
-// Files that appear whole or not at all.
+// Files appear whole or not at all.
 
 #include <filesystem>
 #include <string>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(AtomicFile, IsWholeOrNotThere) {
+TEST(AtomicFile, IsWholeOrAbsent) {
   const TemporaryFolder folder;
   const fs::path file = folder / "a.txt";
   {
@@ -44,7 +44,7 @@ TEST(AtomicFile, AnEmptyFileIsNotCommitted) {
   EXPECT_EQ(folder.names().size(), 0U);
 }
 
-TEST(AtomicFile, WhatAppearsMeanwhileIsLeftAlone) {
+TEST(AtomicFile, DoesNotReplaceAFileThatAppearsMeanwhile) {
   const TemporaryFolder folder;
   AtomicFile file(folder / "a.txt", false);
   file.write(Bytes{1});
@@ -66,7 +66,7 @@ TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(AtomicFile, AReadOnlyFileIsReplacedByOne) {
+TEST(AtomicFile, AReadOnlyFileIsReplacedByAReadOnlyFile) {
   const TemporaryFolder folder;
   write_bytes(folder / "a.txt", {9});
   fs::permissions(folder / "a.txt", fs::perms::owner_read);
@@ -79,7 +79,7 @@ TEST(AtomicFile, AReadOnlyFileIsReplacedByOne) {
   EXPECT_EQ(fs::status(folder / "a.txt").permissions(), fs::perms::owner_read);
 }
 
-TEST(AtomicFile, WhatCannotBeAFileNamesWhatIsWrong) {
+TEST(AtomicFile, BadFileNamesGiveErrorsWithTheReason) {
   const TemporaryFolder folder;
   const auto refused = [&](const fs::path& file, const std::string& says) {
     const Error error = error_of([&] { write_file(file, Bytes{1}, true); });

@@ -26,7 +26,7 @@ class Parallel : public testing::TestWithParam<int> {
 
 INSTANTIATE_TEST_SUITE_P(Threads, Parallel, testing::Values(1, 2, 5));
 
-/// Keeps a thread busy until `done` or until others had ample chance to run.
+/// Keeps a thread busy until `done`, or until others had enough time to run.
 template <typename Done>
 void let_others_run(const Done& done) {
   for (int i = 0; i < 200 && !done(); ++i) std::this_thread::yield();
@@ -104,7 +104,7 @@ TEST_P(Parallel, GrainBelowOneIsRefused) {
                std::invalid_argument);
 }
 
-TEST_P(Parallel, ExceptionLeavesForRows) {
+TEST_P(Parallel, ForRowsRethrowsAnException) {
   const auto failing = [](int begin, int) {
     if (begin == 40) throw std::runtime_error("row 40");
   };
@@ -114,7 +114,7 @@ TEST_P(Parallel, ExceptionLeavesForRows) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "row 40");
   }
-  // The arena lives on.
+  // The arena still works.
   std::atomic<int> rows = 0;
   for_rows(100, [&](int begin, int end) { rows += end - begin; });
   EXPECT_EQ(rows, 100);
@@ -145,7 +145,7 @@ TEST_P(Parallel, PipelineDeliversAllInOrderWithinTheBound) {
                                       int most = most_alive;
                                       while (now > most && !most_alive.compare_exchange_weak(most, now)) {
                                       }
-                                      // Unequal work, so that items overtake one another.
+                                      // Unequal work, so that items overtake each other.
                                       let_others_run([&] { return index % 3 != 0; });
                                       return std::shared_ptr<void>(new std::int64_t(index), [&alive](void* p) {
                                         delete static_cast<std::int64_t*>(p);
@@ -187,14 +187,14 @@ TEST_P(Parallel, RowsWithinThePipeline) {
   EXPECT_EQ(sum, std::int64_t{257} * 10 * 49 * 50 / 2);
 }
 
-TEST_P(Parallel, NoItemsNoCalls) {
+TEST_P(Parallel, WithoutItemsNothingIsCalled) {
   const PipelineStages stages{.make = [](std::int64_t) -> std::shared_ptr<void> { throw std::logic_error("called"); },
                               .deliver = {}};
   EXPECT_EQ(run_pipeline(0, 4, stages, {}), 0);
   EXPECT_THROW(run_pipeline(1, 0, stages, {}), std::invalid_argument);
 }
 
-TEST_P(Parallel, FirstFailingItemIsReportedAfterThoseBefore) {
+TEST_P(Parallel, TheFirstFailingItemIsReportedAndEarlierOnesAreDelivered) {
   for (int round = 0; round < 20; ++round) {
     std::vector<std::int64_t> order;
     std::atomic<std::int64_t> made = 0;
@@ -202,7 +202,7 @@ TEST_P(Parallel, FirstFailingItemIsReportedAfterThoseBefore) {
         .make =
             [&](std::int64_t index) {
               ++made;
-              // The first to fail in order fails last in time.
+              // The first failing item in order is the last one in time.
               if (index == 20) let_others_run([] { return false; });
               if (index >= 20) throw std::runtime_error(std::to_string(index));
               return item_of(index);
@@ -253,7 +253,7 @@ TEST_P(Parallel, FailingDeliveryStopsThePipeline) {
   EXPECT_EQ(alive, 0);
 }
 
-TEST_P(Parallel, CancelDeliversWhatWasBegun) {
+TEST_P(Parallel, CancellingDeliversTheItemsAlreadyBegun) {
   std::atomic<std::int64_t> made = 0;
   std::vector<std::int64_t> order;
   int asked = 0;
@@ -264,7 +264,7 @@ TEST_P(Parallel, CancelDeliversWhatWasBegun) {
             return item_of(index);
           },
       .deliver = [&](std::int64_t index, const std::shared_ptr<void>&) { order.push_back(index); }};
-  // True from the eleventh question on: ten items have begun.
+  // True from the eleventh call on: ten items have begun.
   const std::int64_t delivered = run_pipeline(1000, 4, stages, [&] { return ++asked > 10; });
   EXPECT_EQ(delivered, 10);
   EXPECT_EQ(made, 10);
@@ -273,7 +273,7 @@ TEST_P(Parallel, CancelDeliversWhatWasBegun) {
   EXPECT_EQ(run_pipeline(1000, 4, stages, [] { return true; }), 0);
 }
 
-TEST_P(Parallel, FailingQuestionLeavesAfterDelivery) {
+TEST_P(Parallel, AnExceptionFromCancelledIsRethrownAfterDelivery) {
   int asked = 0;
   std::int64_t delivered = 0;
   const PipelineStages stages{.make = item_of,

@@ -23,7 +23,7 @@ std::string refusal(const std::string& pattern) {
     EXPECT_EQ(error.place(), pattern);
     return error.message();
   }
-  ADD_FAILURE() << pattern << " was taken";
+  ADD_FAILURE() << pattern << " was accepted";
   return {};
 }
 
@@ -74,7 +74,7 @@ TEST(FramePattern, MatchesNamesWithAPlace) {
     EXPECT_FALSE(FramePattern::matches(no)) << no;
 }
 
-TEST(FramePattern, RefusesWhatMeansNothing) {
+TEST(FramePattern, RefusesInvalidPlaces) {
   EXPECT_NE(refusal("frame.png").find("no place for the frame number"), std::string::npos);
   EXPECT_NE(refusal("frame.png").find("frame.%04d.png"), std::string::npos);
   EXPECT_NE(refusal("").find("no place"), std::string::npos);

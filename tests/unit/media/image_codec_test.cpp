@@ -1,4 +1,4 @@
-// Colour and alpha of stored samples, exhaustively where that is possible.
+// Colour and alpha of stored samples, exhaustively where possible.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::vector<Sample> round_trip(const std::vector<Sample>& samples, SampleType ty
   return result;
 }
 
-TEST(PixelCodec, EveryStraight8BitPixelComesBack) {
+TEST(PixelCodec, EveryUnpremultiplied8BitPixelComesBack) {
   std::vector<std::uint8_t> samples;
   for (int alpha = 1; alpha < 256; ++alpha) {
     for (int color = 0; color < 256; ++color) {
@@ -77,7 +77,7 @@ TEST(PixelCodec, AssociatedStoredColorIsDividedBeforeTheTransfer) {
   EXPECT_EQ(pixels[1], warp::Pixel(0, 0, 0, 0));
 }
 
-TEST(PixelCodec, WhatIsNotFiniteBecomesNothingAndIsCounted) {
+TEST(PixelCodec, NonFinitePixelsBecomeTransparentAndAreCounted) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   StoredLayout layout;

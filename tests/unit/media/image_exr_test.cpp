@@ -1,4 +1,4 @@
-// Headers of EXR files that lie: what they promise is looked at before OpenEXR allocates it.
+// Wrong headers of EXR files: sizes are checked before OpenEXR allocates memory for them.
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ void expect_refused(const Header& header, const std::string& part) {
   }
 }
 
-TEST(ExrHeader, AttributesThatAreLargerThanTheFile) {
+TEST(ExrHeader, RefusesAttributesLargerThanTheFile) {
   expect_refused(Header().attribute("owner", "string", 1700000000).text("me").end(),
                  "attribute owner (string) at byte 8 needs 1700000000 bytes, 3 are left");
   expect_refused(Header().attribute("x", "mystery", 0x80000000).end(), "attribute x (mystery) at byte 8 needs -2147");
@@ -85,14 +85,14 @@ TEST(ExrHeader, AttributesThatAreLargerThanTheFile) {
                  "attribute b? (int) at byte 22 needs 4 bytes, 1 are left");
 }
 
-TEST(ExrHeader, SizesThatOpenExrWouldNotObey) {
+TEST(ExrHeader, RefusesSizesThatOpenExrIgnores) {
   expect_refused(Header().attribute("dataWindow", "box2i", 20).text(std::string(20, '\0')).end(),
                  "has 20 bytes instead of 16");
   expect_refused(Header().attribute("a", "compression", 4).number(0).end(), "has 4 bytes instead of 1");
   expect_refused(Header().attribute("a", "floatvector", 6).text("abcdef").end(), "no multiple of 4");
 }
 
-TEST(ExrHeader, ListsThatAreLongerThanTheirAttribute) {
+TEST(ExrHeader, RefusesListsLongerThanTheirAttribute) {
   expect_refused(Header().attribute("a", "stringvector", 6).number(0x7fffffff).text("ab").end(),
                  "has a string of 2147483647 bytes where 2 are left");
   expect_refused(Header().attribute("a", "stringvector", 2).text("ab").end(), "ends within the length");
@@ -101,7 +101,7 @@ TEST(ExrHeader, ListsThatAreLongerThanTheirAttribute) {
   expect_refused(Header().attribute("channels", "chlist", 4).name("R").name("G").end(), "a list without an end");
 }
 
-TEST(ExrHeader, WindowsTilesAndCountsBeyondTheLimits) {
+TEST(ExrHeader, RefusesWindowsTilesAndCountsBeyondTheLimits) {
   expect_refused(Header().window("dataWindow", 0, 0, 99999, 99999).end(), "100000 x 100000");
   expect_refused(Header().window("dataWindow", INT32_MIN, 0, INT32_MAX, 0).end(), "4294967296 x 1");
   expect_refused(Header().window("displayWindow", 5, 5, 4, 5).end(), "has no pixels (0 x 1");
@@ -118,12 +118,12 @@ TEST(ExrHeader, WindowsTilesAndCountsBeyondTheLimits) {
   expect_refused(Header().attribute("chunkCount", "int", 4).number(0x80000000).end(), "promises -2147483648 chunks");
 }
 
-TEST(ExrHeader, PixelTypesThatNobodyKnows) {
+TEST(ExrHeader, RefusesUnknownPixelTypes) {
   expect_refused(Header().attribute("channels", "chlist", 19).name("R").number(3).number(0).number(1).number(1).byte(0),
                  "has a channel of the unknown pixel type 3");
 }
 
-TEST(ExrHeader, TheNextPartsAreLookedAtToo) {
+TEST(ExrHeader, ChecksAllParts) {
   constexpr std::uint32_t kMultiPart = 0x1002;
   const auto two = [](std::string_view name, std::uint32_t size) {
     return Header(kMultiPart).attribute("a", "int", 4).number(1).end().attribute(name, "string", size).end().end();
@@ -131,7 +131,7 @@ TEST(ExrHeader, TheNextPartsAreLookedAtToo) {
   expect_refused(two("second", 1 << 30), "attribute second (string) at byte 23 needs 1073741824 bytes");
 }
 
-TEST(ExrHeader, CutShortAnywhere) {
+TEST(ExrHeader, RefusesAHeaderCutShortAnywhere) {
   const Bytes whole = encode_image("a.exr", random_image(9, 7, true, 1));
   const Folder folder;
   write_bytes(folder / "a.exr", whole);
@@ -145,12 +145,12 @@ TEST(ExrHeader, CutShortAnywhere) {
   }
 }
 
-TEST(ExrHeader, NamesWithoutAnEndAndOtherVersions) {
+TEST(ExrHeader, RefusesUnterminatedNamesAndOtherVersions) {
   expect_refused(Header().text(std::string(300, 'x')), "the name at byte 8 is longer than 255 bytes");
   expect_refused(Header(3).end(), "version 3");
 }
 
-TEST(ExrHeader, LongNamesAndTilesLargerThanThePictureAreFine) {
+TEST(ExrHeader, AcceptsLongNamesAndTilesLargerThanThePicture) {
   const Folder folder;
   OIIO::ImageSpec spec(5, 4, 3, OIIO::TypeDesc::HALF);
   spec.tile_width = spec.tile_height = 256;

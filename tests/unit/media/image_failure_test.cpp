@@ -1,5 +1,5 @@
-// What goes wrong when people read and write images: files that are not there, not images, cut, hostile; folders that
-// cannot be written, disks that are full.
+// Failures when people read and write images: missing files, other files, truncated and hostile ones, read-only
+// folders, full disks.
 
 #include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
@@ -27,7 +27,7 @@ void expect_refused(const fs::path& file, ErrorCode code, const std::string& par
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(ImageFailure, WhatIsNotAnImageFile) {
+TEST(ImageFailure, RefusesFilesThatAreNotImages) {
   const Folder folder;
   expect_refused(folder / "missing.png", ErrorCode::kIo, "does not exist");
   fs::create_directory(folder / "folder.png");
@@ -51,7 +51,7 @@ TEST(ImageFailure, UnreadableFile) {
   expect_refused(folder / "a.png", ErrorCode::kIo, "cannot be read");
 }
 
-TEST(ImageFailure, TheContentsDecideNotTheExtension) {
+TEST(ImageFailure, TheContentsDecideAndNotTheExtension) {
   const Folder folder;
   write_image(folder / "a.png", random_image(2, 2, false, 1));
   fs::rename(folder / "a.png", folder / "a.jpg");
@@ -64,7 +64,7 @@ TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
   const warp::Image image = random_image(40, 33, true, 3);
   for (const std::string extension : {".png", ".tif", ".jpg", ".webp", ".tga", ".exr"}) {
     const Bytes whole = encode_image(std::string("a").append(extension), image);
-    // TGA ends in areas without pixels; what cuts only those leaves a whole picture.
+    // TGA ends in areas without pixels; a file cut only there is still a whole picture.
     const std::size_t tail = extension == ".tga" ? 600 : 3;
     for (const double part : {0.0, 0.1, 0.3, 0.5, 0.8, 0.95, 1.0}) {
       std::size_t size = static_cast<std::size_t>(part * static_cast<double>(whole.size() - tail));
@@ -80,7 +80,7 @@ TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
   }
 }
 
-TEST(ImageFailure, DamagedPngIsToldByItsChunk) {
+TEST(ImageFailure, DamagedPngIsReportedWithItsChunk) {
   const Folder folder;
   Bytes bytes = encode_image("a.png", random_image(20, 20, false, 3));
   bytes[bytes.size() / 2] ^= 0x10;
@@ -98,7 +98,7 @@ std::uint32_t checksum(const Bytes& bytes) {
   return ~crc;
 }
 
-/// A PNG with the given size in its header, the checksum right, and the pixels of a small picture.
+/// A PNG with the given size in its header, a right checksum, and the pixels of a small picture.
 Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
   Bytes bytes = encode_image("a.png", random_image(2, 2, false, 1));
   for (int i = 0; i < 4; ++i) {
@@ -110,7 +110,7 @@ Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
   return bytes;
 }
 
-TEST(ImageFailure, HostileSizesAreRefusedByTheHeader) {
+TEST(ImageFailure, HostileSizesAreRefusedFromTheHeader) {
   const Folder folder;
   write_bytes(folder / "huge.png", png_of_size(100000, 100000));
   expect_refused(folder / "huge.png", ErrorCode::kBadInput, "100000 x 100000");
@@ -121,19 +121,19 @@ TEST(ImageFailure, HostileSizesAreRefusedByTheHeader) {
   expect_refused(folder / "nothing.png", ErrorCode::kBadInput, "has no pixels");
 }
 
-TEST(ImageFailure, ManyLinesPromisedAndNoneThereCostNothing) {
+TEST(ImageFailure, ManyMissingLinesCostNothing) {
   const Folder folder;
   write_bytes(folder / "empty.png", png_of_size(30000, 30000));
   EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).code(), ErrorCode::kBadInput);
 }
 
-/// The first 34 bytes of a PSD file of 5 x 4 pixels, with that length of its colour mode data and of its resources.
+/// The first 34 bytes of a PSD file of 5 x 4 pixels, with these lengths of colour mode data and resources.
 Bytes psd_head(std::uint8_t colors, std::uint8_t resources) {
   return {'8', 'B', 'P', 'S', 0, 1, 0, 0, 0, 0,      0, 0, 0, 3, 0, 0,         0,
           4,   0,   0,   0,   5, 0, 8, 0, 3, colors, 0, 0, 0, 0, 0, resources, 0};
 }
 
-TEST(ImageFailure, HeadersThatPromiseMoreThanThereIs) {
+TEST(ImageFailure, RefusesHeadersWithSizesBeyondTheFile) {
   const Folder folder;
   const auto refused = [&](const Bytes& bytes, const std::string& part) {
     write_bytes(folder / "a", bytes);
@@ -167,7 +167,7 @@ TEST(ImageFailure, DeepImagesAreRefused) {
   expect_refused(folder / "deep.exr", ErrorCode::kBadInput, "deep");
 }
 
-TEST(ImageFailure, WritingToWhereNothingCanBe) {
+TEST(ImageFailure, RefusesToWriteToImpossiblePlaces) {
   const Folder folder;
   const warp::Image image = random_image(2, 2, false, 1);
   const auto refused = [&](const fs::path& file, ErrorCode code, const std::string& part) {
@@ -198,7 +198,7 @@ TEST(ImageFailure, ReadOnlyFolder) {
   EXPECT_TRUE(contains(error.what(), "Permission denied")) << error.what();
 }
 
-TEST(ImageFailure, DepthsThatAFormatHasNot) {
+TEST(ImageFailure, RefusesDepthsThatTheFormatDoesNotSupport) {
   const warp::Image image = random_image(2, 2, false, 1);
   const auto message = [&](const std::string& name, Depth depth) {
     WriteOptions options;
@@ -212,7 +212,7 @@ TEST(ImageFailure, DepthsThatAFormatHasNot) {
   EXPECT_EQ(message("a.exr", Depth::k8), "a.exr: EXR cannot hold 8 bit samples, only half or float");
 }
 
-TEST(ImageFailure, SizesAndQualitiesThatAFormatHasNot) {
+TEST(ImageFailure, RefusesSizesAndQualitiesThatTheFormatDoesNotSupport) {
   EXPECT_TRUE(contains(error_of([] { encode_image("a.webp", warp::Image(1, 16384)); }).what(), "16383"));
   EXPECT_EQ(error_of([] { encode_image("a.png", warp::Image()); }).code(), ErrorCode::kUsage);
   WriteOptions options;

@@ -1,5 +1,5 @@
-// What a file's header says and what becomes of it: orientation, channels, windows, colour tags, metadata. The files
-// are made with OpenImageIO itself, as other programs make them.
+// Headers of files: orientation, channels, windows, colour tags, metadata. The files are made with OpenImageIO, as
+// other programs make them.
 
 #include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
@@ -28,8 +28,8 @@ float srgb8(int code) {
   return warp::linear_from_srgb(static_cast<float>(code) / 255.0F);
 }
 
-/// Where the stored pixel (x, y) of a 3 x 2 picture stands upright, by the words of the EXIF standard (4.6.4, tag
-/// 0x0112) on which side of the scene the 0th row and the 0th column are.
+/// The upright position of the stored pixel (x, y) of a 3 x 2 picture. The EXIF standard (4.6.4, tag 0x0112) says on
+/// which side of the scene the 0th row and the 0th column are.
 cv::Point upright(int orientation, int x, int y) {
   switch (orientation) {
     case 1:
@@ -154,7 +154,7 @@ TEST(ImageHeader, TiledFilesAreRead) {
   }
 }
 
-TEST(ImageHeader, NonFiniteExrPixelsAreNothingAndCounted) {
+TEST(ImageHeader, NonFiniteExrPixelsBecomeTransparentAndAreCounted) {
   const Folder folder;
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -167,7 +167,7 @@ TEST(ImageHeader, NonFiniteExrPixelsAreNothingAndCounted) {
   EXPECT_EQ(picture.image(0, 0), warp::Pixel(1, 1, 1, 1));
 }
 
-TEST(ImageHeader, AssociatedTiffIsNotMultipliedAgain) {
+TEST(ImageHeader, AssociatedTiffIsNotPremultipliedAgain) {
   const Folder folder;
   OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::UINT8);
   make(folder / "a.tif", spec, std::vector<std::uint8_t>{102, 51, 0, 102});
@@ -197,7 +197,7 @@ TEST(ImageHeader, ColorTagsAreObeyed) {
   EXPECT_EQ(red("gamma22.png", "GammaCorrected", 2.2F), srgb8(128));
 }
 
-TEST(ImageHeader, MetadataIsCarriedAndWhatWouldLieIsNot) {
+TEST(ImageHeader, KeepsMetadataExceptAttributesThatWouldBeWrong) {
   const Folder folder;
   OIIO::ImageSpec spec(4, 2, 3, OIIO::TypeDesc::UINT8);
   spec["Copyright"] = "a photographer";
@@ -234,7 +234,7 @@ TEST(ImageHeader, MetadataIsCarriedAndWhatWouldLieIsNot) {
   }
 }
 
-TEST(ImageHeader, NoDateIsMadeUp) {
+TEST(ImageHeader, NoDateIsInvented) {
   const Folder folder;
   for (const std::string name : {"b.tif", "b.jpg", "b.exr", "b.png"}) {
     write_image(folder / name, random_image(3, 3, false, 1));

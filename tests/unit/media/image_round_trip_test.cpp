@@ -19,8 +19,8 @@ struct Case {
   double bound;  ///< of a linear, premultiplied sample after one trip; 0: bit for bit
 };
 
-/// Half a code in display light, times the steepest slope of the sRGB curve's inverse (about 2.28 at white), and half a
-/// code of alpha that colour is multiplied with.
+/// Half a code in display light times the steepest slope of the sRGB curve's inverse (about 2.28 at white), plus half a
+/// code of alpha, which multiplies colour.
 constexpr double kBound8 = 0.5 / 255 * 2.28 + 0.5 / 255;
 constexpr double kBound16 = 0.5 / 65535 * 2.28 + 0.5 / 65535;
 
@@ -67,7 +67,7 @@ TEST(ImageRoundTrip, OneTripIsWithinHalfACodeAndTheNextIsExact) {
       write_image(again, once.image, options);
       const Picture twice = read_picture(again);
       if (test.alpha && test.depth != Depth::kHalf && test.depth != Depth::kFloat) {
-        // A pixel whose alpha is 0 in the file has lost its colour by the second trip; nothing else changes.
+        // A pixel with alpha 0 in the file loses its colour by the second trip; nothing else changes.
         EXPECT_EQ(distance(twice.image, once.image), 0);
       } else {
         EXPECT_EQ(read_bytes(file), read_bytes(again));
@@ -76,7 +76,7 @@ TEST(ImageRoundTrip, OneTripIsWithinHalfACodeAndTheNextIsExact) {
   }
 }
 
-TEST(ImageRoundTrip, InfoTellsWhatWasWritten) {
+TEST(ImageRoundTrip, InfoDescribesTheWrittenFile) {
   const Folder folder;
   for (const Case& test : lossless_cases()) {
     SCOPED_TRACE(testing::Message() << test.extension << " " << shown_depth(test.depth) << " alpha " << test.alpha);
@@ -148,7 +148,7 @@ TEST(ImageRoundTrip, AlphaCanBeForcedAndForbidden) {
   EXPECT_EQ(read_info(folder / "transparent.png").channels, 3);
 }
 
-TEST(ImageRoundTrip, ExrKeepsWhatIsBrighterThanWhiteAndDarkerThanBlack) {
+TEST(ImageRoundTrip, ExrKeepsValuesAboveOneAndBelowZero) {
   const Folder folder;
   warp::Image image(1, 2);
   image(0, 0) = warp::Pixel(1000.0F, -2.0F, 0.5F, 0.25F);
@@ -179,9 +179,9 @@ TEST(ImageRoundTrip, ThreadsAndRepetitionsGiveTheSameBytes) {
   }
 }
 
-TEST(ImageRoundTrip, CompressionChangesTheSizeAlone) {
+TEST(ImageRoundTrip, CompressionChangesOnlyTheSize) {
   const Folder folder;
-  // Smooth with a pattern that repeats: something to gain for filters, runs and long matches.
+  // Smooth with a repeated pattern: filters, runs and long matches all help.
   warp::Image image(90, 160);
   for (int y = 0; y < image.rows; ++y)
     for (int x = 0; x < image.cols; ++x)
@@ -207,7 +207,7 @@ TEST(ImageRoundTrip, CompressionChangesTheSizeAlone) {
   }
 }
 
-TEST(ImageRoundTrip, CompressionThatAFormatHasNotIsRefused) {
+TEST(ImageRoundTrip, RefusesCompressionThatTheFormatDoesNotSupport) {
   WriteOptions options;
   options.compression = 5;
   for (const char* name : {"a.jpg", "a.webp", "a.tga"}) {
@@ -220,7 +220,7 @@ TEST(ImageRoundTrip, CompressionThatAFormatHasNotIsRefused) {
                        "0 (none) to 9"));
 }
 
-TEST(ImageRoundTrip, MapsAreStoredAsTheyAre) {
+TEST(ImageRoundTrip, MapsAreStoredUnchanged) {
   const Folder folder;
   warp::Map map(3, 5);
   for (int y = 0; y < 3; ++y) {
@@ -240,7 +240,7 @@ TEST(ImageRoundTrip, MapsAreStoredAsTheyAre) {
   EXPECT_EQ(error_of([&] { write_map(folder / "map.exr", map, false); }).code(), ErrorCode::kIo);
 }
 
-TEST(ImageNames, AreToldWithTheirChoices) {
+TEST(ImageNames, ErrorsListTheChoices) {
   EXPECT_EQ(color_space_from("srgb"), ColorSpace::kSrgb);
   EXPECT_EQ(color_space_from("auto"), ColorSpace::kAuto);
   EXPECT_EQ(color_space_from("linear"), ColorSpace::kLinear);

@@ -1,5 +1,5 @@
 #pragma once
-// What the image tests share: a folder of their own, random pictures, bytes of files.
+// Helpers of the image tests: a temporary folder, random pictures, bytes of files.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

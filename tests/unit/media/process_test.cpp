@@ -62,7 +62,7 @@ TEST(Process, KeepsTheLastLinesOfStandardError) {
   EXPECT_EQ(process.last_lines(), "one\ntwo");
 }
 
-TEST(Process, AFloodOfErrorsNeitherBlocksNorFillsMemory) {
+TEST(Process, ManyErrorLinesNeitherBlockNorFillMemory) {
   Process process(shell("yes 'a line of complaint' | head -n 200000 >&2; echo the end >&2; cat > /dev/null"));
   EXPECT_TRUE(process.write(bytes_of("x")));
   EXPECT_TRUE(process.finish().ok());
@@ -72,7 +72,7 @@ TEST(Process, AFloodOfErrorsNeitherBlocksNorFillsMemory) {
   EXPECT_TRUE(lines.ends_with("a line of complaint\nthe end"));
 }
 
-TEST(Process, WritingToADeadProgramSaysSoWithoutASignal) {
+TEST(Process, WritingToAnEndedProgramReturnsFalseWithoutASignal) {
   Process process(shell("exit 7"));
   const Bytes megabyte(1 << 20);
   bool alive = true;
@@ -109,7 +109,7 @@ TEST(Process, HasAGroupOfItsOwnAndTheUsualSignals) {
   EXPECT_EQ(blocked, "0000000000000000");
 }
 
-TEST(Process, WhatItLeavesBehindIsEnded) {
+TEST(Process, KillsTheProgramsThatItLeavesBehind) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
@@ -118,11 +118,11 @@ TEST(Process, WhatItLeavesBehindIsEnded) {
   ::close(ends[1]);
   EXPECT_EQ(process.finish().status, 4);
   char none = 0;
-  EXPECT_EQ(::read(ends[0], &none, 1), 0) << "the pipe ends when its last holder is gone";
+  EXPECT_EQ(::read(ends[0], &none, 1), 0) << "the pipe ends when its last writer has ended";
   ::close(ends[0]);
 }
 
-TEST(Process, DestroyedWhileRunningItIsKilledAndReaped) {
+TEST(Process, TheDestructorKillsAndReapsARunningProgram) {
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);

@@ -48,8 +48,8 @@ TEST(RawFrame, EverySixteenBitCodeSurvives) {
   }
 }
 
-TEST(RawFrame, HasBt709CodesOfTheBars) {
-  // Rec. ITU-R BT.709-6 with 8-bit limited range, as every table of colour bars has them.
+TEST(RawFrame, HasTheBt709CodesOfColourBars) {
+  // Rec. ITU-R BT.709-6 with 8-bit limited range, as in every table of colour bars.
   struct Bar {
     warp::Pixel colour;
     std::array<int, 3> codes;
@@ -77,7 +77,7 @@ TEST(RawFrame, HasBt709CodesOfTheBars) {
 }
 
 TEST(RawFrame, ChromaLiesOnEvenColumnsBetweenRows) {
-  // Red alone, a straight slope of its code: halved chroma must be the slope's own value at its place.
+  // Red alone, with a linear slope of its code: halved chroma must be the value of the slope at its place.
   const cv::Size size(16, 8);
   const auto red = [](double x, double y) { return 0.1 + 0.04 * x + 0.02 * y; };
   warp::Image image(size);
@@ -119,7 +119,7 @@ TEST(RawFrame, OddSizesHaveRoundedUpChroma) {
   EXPECT_EQ(bytes[35 + 24 + 34], 255);
 }
 
-TEST(RawFrame, AlphaIsStraightOrTheImageIsOverBlack) {
+TEST(RawFrame, IsUnpremultipliedOrOverBlack) {
   const float half = warp::linear_from_srgb(200.0F / 255.0F);
   const warp::Image image = constant({2, 2}, {0.5F * half, 0.0F, 0.5F, 0.5F});
   const Bytes straight = raw_frame(image, RawFormat::kRgba, image.size());
@@ -148,7 +148,7 @@ TEST(RawFrame, ValuesOutsideAndNotANumberAreClamped) {
     };
     EXPECT_EQ(codes({-1.0F, 7.0F, infinity, 1.0F}), expected({0, 255, 255, 255}));
     EXPECT_EQ(codes({nan, -infinity, 1e38F, 2.0F}), expected({0, 0, 255, 255}));
-    // Where nothing is covered there is no colour, as in an image file.
+    // Transparent pixels get colour 0, as in an image file.
     EXPECT_EQ(codes({1.0F, 1.0F, 0.0F, nan}), expected({0, 0, 0, 0}));
     EXPECT_EQ(codes({1.0F, nan, 0.0F, 1.0F}), expected({255, 0, 0, 255}));
   }

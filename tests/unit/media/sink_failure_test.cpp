@@ -1,4 +1,4 @@
-// What becomes of a video when something goes wrong: nothing is left behind, and the reason is told.
+// Failures while a video is written: nothing is left behind, and the error gives the reason.
 
 #include <sys/resource.h>
 
@@ -20,7 +20,7 @@ SinkOptions options() {
   return result;
 }
 
-/// A program called ffmpeg that is found before the real one.
+/// A program called ffmpeg, first on PATH.
 class FakeFfmpeg {
  public:
   explicit FakeFfmpeg(const std::string& script) : path_("PATH", folder_.path().string() + ":" + std::getenv("PATH")) {
@@ -34,7 +34,7 @@ class FakeFfmpeg {
   Environment path_;
 };
 
-/// Writes many frames; a program that has died is noticed while writing or at the end.
+/// Writes many frames; an ended program is noticed while writing or at the end.
 Error failure_of(const fs::path& file) {
   return error_of([&] { write_all(*open_sink(file, options(), false), kSize, 300); });
 }
@@ -44,7 +44,7 @@ void expect_nothing_left(const TempFolder& folder) {
   EXPECT_FALSE(has_children());
 }
 
-TEST(VideoFailure, AMissingFfmpegIsToldWithTheCure) {
+TEST(VideoFailure, AMissingFfmpegIsReportedWithARemedy) {
   const TempFolder folder;
   const TempFolder empty;
   const Environment path("PATH", empty.path().string());
@@ -58,7 +58,7 @@ TEST(VideoFailure, AMissingFfmpegIsToldWithTheCure) {
   expect_nothing_left(folder);
 }
 
-TEST(VideoFailure, AnFfmpegThatCannotRunIsTold) {
+TEST(VideoFailure, AnFfmpegThatCannotRunIsReported) {
   const TempFolder folder;
   const TempFolder programs;
   std::ofstream(programs / "ffmpeg") << "not executable";
@@ -98,7 +98,7 @@ TEST(VideoFailure, AnFfmpegThatClosesItsInputAndSaysNothing) {
   expect_nothing_left(folder);
 }
 
-TEST(VideoFailure, AnFfmpegThatWritesNothingIsNotBelieved) {
+TEST(VideoFailure, AnFfmpegThatWritesNothingIsAFailure) {
   const TempFolder folder;
   const FakeFfmpeg fake("cat > /dev/null");
   const Error error = failure_of(folder / "out.webm");
@@ -118,7 +118,7 @@ TEST(VideoFailure, AFullDiskIsAnInputOutputError) {
 
 TEST(VideoFailure, ARealFfmpegThatCannotWriteIsNoticed) {
   const TempFolder folder;
-  // A limit on the size of files that children inherit stands for a full disk: write() fails with EFBIG.
+  // An inherited limit on the size of files acts as a full disk: write() fails with EFBIG.
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{4096, before.rlim_max};
@@ -134,7 +134,7 @@ TEST(VideoFailure, ARealFfmpegThatCannotWriteIsNoticed) {
   expect_nothing_left(folder);
 }
 
-TEST(VideoFailure, DestroyedWithoutFinishNothingIsLeft) {
+TEST(VideoFailure, WithoutFinishNothingIsLeft) {
   const TempFolder folder;
   for (const char* name : {"o.mp4", "o.webm", "o.mkv", "o.mov", "o.gif", "o.apng"}) {
     const auto sink = open_sink(folder / name, options(), false);
@@ -144,7 +144,7 @@ TEST(VideoFailure, DestroyedWithoutFinishNothingIsLeft) {
   expect_nothing_left(folder);
 }
 
-TEST(VideoFailure, DestroyedWithoutFinishTheOldVideoStays) {
+TEST(VideoFailure, WithoutFinishTheOldVideoStays) {
   const TempFolder folder;
   std::ofstream(folder / "o.mp4") << "old";
   SinkOptions overwriting = options();

@@ -34,7 +34,7 @@ TEST(FileSink, WritesNumberedFramesInAnyOrder) {
   EXPECT_EQ(sink->existing({1, 2, 3, 7}), (std::vector<fs::path>{folder / "f.002.png", folder / "f.007.png"}));
 }
 
-TEST(FileSink, TheFileIsWhatWriteImageMakes) {
+TEST(FileSink, TheFileEqualsThatOfWriteImage) {
   const TempFolder folder;
   const warp::Image image = moving_picture({kWidth, kHeight}, 3, true);
   SinkOptions deep = options();
@@ -45,7 +45,7 @@ TEST(FileSink, TheFileIsWhatWriteImageMakes) {
   EXPECT_FALSE(read_bytes(folder / "direct.png").empty());
 }
 
-TEST(FileSink, HasOnlyWholeFramesOfTheRightSize) {
+TEST(FileSink, HasFindsOnlyWholeFramesOfTheRightSize) {
   const TempFolder folder;
   const auto sink = open_sink(folder / "f.%d.png", options(), false);
   std::ofstream(folder / "f.1.png").close();
@@ -111,7 +111,7 @@ TEST(OpenSink, AnUnknownKindIsRefusedWithTheChoices) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(OpenSink, OptionsThatTheKindHasNotAreRefused) {
+TEST(OpenSink, RefusesOptionsThatTheKindDoesNotSupport) {
   const TempFolder folder;
   const auto refusal = [&](const char* name, const std::string& preset, int compression) {
     SinkOptions how = options();
@@ -155,7 +155,7 @@ TEST(OpenSink, AFolderThatCannotBeWrittenIsNamed) {
   fs::create_directory(locked);
   fs::permissions(locked,
                   fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
-  // Nothing is locked for root: look as somebody else.
+  // Root may write anywhere: test as another user.
   constexpr uid_t kNobody = 65534;
   const bool root = ::geteuid() == 0;
   ASSERT_EQ(root ? ::seteuid(kNobody) : 0, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of one's own, pictures that move, and what ffmpeg and ffprobe say of a file.
+// Helpers of the sink tests: a temporary folder, moving pictures, and calls of ffmpeg and ffprobe.
 
 #include <sys/wait.h>
 
@@ -33,7 +33,7 @@ using morphkit::test::error_of;
 using morphkit::test::read_bytes;
 using TempFolder = morphkit::test::TemporaryFolder;
 
-/// An environment variable set to something else for a while.
+/// Sets an environment variable for the lifetime of the object.
 class Environment {
  public:
   Environment(const char* name, const std::string& value) : name_(name) {
@@ -65,7 +65,7 @@ inline Bytes output_of(const std::string& command) {
   return bytes;
 }
 
-/// What ffprobe says of the only video stream, every frame decoded and counted.
+/// ffprobe's report on the only video stream, with every frame decoded and counted.
 inline std::map<std::string, std::string> probe(const fs::path& file) {
   const Bytes text =
       output_of("ffprobe -v error -count_frames -select_streams v -show_streams '" + file.string() + "'");
@@ -103,7 +103,7 @@ inline double psnr(const Bytes& a, const Bytes& b) {
   return 10 * std::log10(255.0 * 255.0 * double(a.size()) / sum);
 }
 
-/// A smooth picture that moves with `frame`; with alpha, a soft disc on nothing.
+/// A smooth picture that moves with `frame`; with alpha, a soft disc on transparency.
 inline warp::Image moving_picture(cv::Size size, int frame, bool with_alpha = false) {
   warp::Image image(size);
   for (int y = 0; y < size.height; ++y) {

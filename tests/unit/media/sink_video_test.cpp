@@ -27,7 +27,7 @@ fs::path write_video(const fs::path& file, const SinkOptions& how, int frames = 
   return file;
 }
 
-/// The frames as they were, in one of our raw formats.
+/// The original frames in one of our raw formats.
 Bytes originals(RawFormat format, cv::Size size, bool has_alpha, int frames = kFrames) {
   Bytes all;
   for (int frame = 0; frame < frames; ++frame) {
@@ -37,7 +37,7 @@ Bytes originals(RawFormat format, cv::Size size, bool has_alpha, int frames = kF
   return all;
 }
 
-/// Straight RGBA over black, in codes.
+/// Unpremultiplied RGBA over black, in codes.
 Bytes over_black(const Bytes& rgba) {
   Bytes rgb;
   for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
@@ -45,7 +45,7 @@ Bytes over_black(const Bytes& rgba) {
   return rgb;
 }
 
-/// The first `size` of frames that have grown.
+/// The top left `size` of enlarged frames.
 Bytes cropped(const Bytes& rgb, cv::Size grown, cv::Size size) {
   Bytes all;
   const std::size_t stride = 3 * static_cast<std::size_t>(grown.width);
@@ -69,8 +69,7 @@ struct Kind {
   double least_db;  ///< 8-bit RGB, whole sequence
 };
 
-// At most 1.5 dB below what was measured. Lossless kinds are exact; what mkv loses here is our rounding to 8 bits,
-// twice.
+// At most 1.5 dB below the measured values. Lossless kinds are exact; mkv loses only by our rounding to 8 bits, twice.
 const Kind kKinds[] = {
     {".mp4", false, "h264", "yuv420p", "", "bt709", "tv", false, 37},
     {".webm", false, "vp9", "yuv420p", "", "bt709", "tv", false, 38},
@@ -90,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(All, VideoKinds, testing::ValuesIn(kKinds), [](const au
   return std::string(kind.param.extension + 1) + (kind.param.alpha ? "_alpha" : "");
 });
 
-TEST_P(VideoKinds, SaysWhatItIs) {
+TEST_P(VideoKinds, HasTheRightCodecSizeAndTags) {
   const Kind& kind = GetParam();
   const TempFolder folder;
   const fs::path file = write_video(folder / (std::string("v") + kind.extension), options({64, 48}, kind.alpha));
@@ -115,7 +114,7 @@ TEST_P(VideoKinds, SaysWhatItIs) {
   EXPECT_EQ(folder.names().size(), 1U);
 }
 
-TEST_P(VideoKinds, DecodesToThePicturesThatWentIn) {
+TEST_P(VideoKinds, DecodesToTheOriginalPictures) {
   const Kind& kind = GetParam();
   const TempFolder folder;
   // Odd both ways, to show that no kind crops, shifts or smears the last column.
@@ -197,7 +196,7 @@ TEST(Video, GifKeepsTransparencyOnOrOff) {
   EXPECT_GE(psnr(decoded_opaque, wanted_opaque), 36.0);
 }
 
-TEST(Video, AnimationsRunForEver) {
+TEST(Video, AnimationsLoopForEver) {
   const TempFolder folder;
   const Bytes gif = read_bytes(write_video(folder / "v.gif", options({16, 16})));
   const std::string loop = std::string("NETSCAPE2.0\x03\x01\0\0", 15);

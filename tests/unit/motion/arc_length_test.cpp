@@ -12,8 +12,8 @@ namespace {
 using testing::kRandomCurves;
 using testing::random_curve;
 
-// The length of a chain of very many chords: slow, from below, and independent of any integration rule. Its error
-// falls with the square of the step; Richardson's step removes that term where the curve is smooth.
+// The length of a chain of very many chords: slow, a lower bound, and independent of any integration rule. Its error
+// falls with the square of the step; Richardson extrapolation removes that term where the curve is smooth.
 double chain_length(const Curve& curve, double from, double to, int chords) {
   double sum = 0;
   cv::Point2d last = curve.at(from);
@@ -48,7 +48,7 @@ TEST(ArcLength, OfUnevenHandlesOnALineIsStillItsLength) {
 }
 
 TEST(ArcLength, OfTheBezierCircleIsNearlyTwoPiR) {
-  // With handles of length k R, k = 4 (sqrt(2) - 1) / 3, the radius errs by at most 2.73e-4 R, always outwards.
+  // With handles of length k R, k = 4 (sqrt(2) - 1) / 3, the error of the radius is at most 2.73e-4 R, always outwards.
   const double r = 100, k = 4 * (std::sqrt(2.0) - 1) / 3 * r;
   const Curve circle(
       CurveKind::kBezier,
@@ -61,7 +61,7 @@ TEST(ArcLength, OfTheBezierCircleIsNearlyTwoPiR) {
 }
 
 TEST(ArcLength, OfACuspIsExact) {
-  // Handles crossed just so far that Q'(1/2) = 0; both halves are mirror images.
+  // The handles cross so that Q'(1/2) = 0; both halves are mirror images.
   const Curve cusp(CurveKind::kBezier, {{0, 0}, {100, 100}, {0, 100}, {100, 0}}, false);
   EXPECT_LT(std::hypot(cusp.derivative(0.5).x, cusp.derivative(0.5).y), 1e-12);
   const ArcLength arc(cusp);

@@ -20,7 +20,7 @@ double distance_to_chord(cv::Point2d p, cv::Point2d a, cv::Point2d b) {
   return std::hypot(p.x - foot.x, p.y - foot.y);
 }
 
-// The farthest that the curve gets from `n` equal chords, looked at closely.
+// The largest distance of the curve from `n` equal chords, densely sampled.
 double deviation(const Curve& curve, int n) {
   const auto points = equal_arc_points(curve, n);
   const ArcLength arc(curve);
@@ -83,7 +83,7 @@ TEST(EqualArcPoints, ClosedCurvesEndWhereTheyBegin) {
   EXPECT_LT(std::hypot(points[4].x - 30, points[4].y - 30), 1e-9);
 }
 
-TEST(ChordsNeeded, HoldsItsToleranceAndNoSmallerNumberWould) {
+TEST(ChordsNeeded, KeepsItsToleranceWithTheSmallestNumber) {
   constexpr int kLimit = 200;
   for (unsigned seed = 0; seed < kRandomCurves; ++seed) {
     const auto random = random_curve(seed);
@@ -95,19 +95,19 @@ TEST(ChordsNeeded, HoldsItsToleranceAndNoSmallerNumberWould) {
       ASSERT_LE(n, kLimit);
       if (n == kLimit) continue;
       EXPECT_LE(deviation(curve, n), tolerance) << n << " chords";
-      // 63/64: the samples that decide see that much of an arc's height.
+      // 63/64: the samples of chords_needed reach this part of an arc's height.
       if (n <= 3) continue;
-      EXPECT_GT(deviation(curve, n - 1), tolerance * 63 / 64) << n - 1 << " chords would do";
+      EXPECT_GT(deviation(curve, n - 1), tolerance * 63 / 64) << n - 1 << " chords would be enough";
     }
   }
 }
 
-TEST(ChordsNeeded, OneForAStraightLineWhateverItsParameter) {
+TEST(ChordsNeeded, OneForAStraightLineWithAnyParameter) {
   EXPECT_EQ(chords_needed(Curve(CurveKind::kPolyline, {{0, 0}, {500, 100}}, false), 0.1, 64), 1);
   EXPECT_EQ(chords_needed(Curve(CurveKind::kCatmullRom, {{0, 0}, {1, 1}, {50, 50}}, false), 0.1, 64), 1);
 }
 
-TEST(ChordsNeeded, CornersAtEqualLengthsAreMet) {
+TEST(ChordsNeeded, ChordsMeetCornersAtEqualLengths) {
   EXPECT_EQ(chords_needed(Curve(CurveKind::kPolyline, {{0, 0}, {100, 0}, {100, 100}, {200, 100}}, false), 0.1, 64), 3);
 }
 

@@ -105,7 +105,7 @@ TEST(Curve, RepeatedPointsAreASegmentWithoutLength) {
   for (double u = 1; u <= 3; u += 0.25) EXPECT_EQ(curve.at(u), cv::Point2d(5, 5)) << u;
 }
 
-TEST(Curve, SaysWhatIsWrong) {
+TEST(Curve, ProblemsAreExplained) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto why = [](CurveKind kind, const Points& points, bool closed) {
     return Curve::problem(kind, points, closed).value_or("");

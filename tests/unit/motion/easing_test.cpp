@@ -36,7 +36,7 @@ std::vector<Easing> rising_easings() {
           KeysEase{{{0, 0, {}}, {0.2, 0.1, {}}, {0.6, 0.9, {}}, {1, 1, {}}}}};
 }
 
-TEST(Easing, EndsAreExactAndBeyondThemNothingMoves) {
+TEST(Easing, EndsAreExactAndTimeIsClamped) {
   for (const Easing& easing : rising_easings()) {
     SCOPED_TRACE(easing.index());
     ASSERT_FALSE(problem(easing)) << *problem(easing);
@@ -60,7 +60,7 @@ TEST(Easing, Rises) {
   }
 }
 
-TEST(Easing, SymmetricOnesAreSymmetric) {
+TEST(Easing, SymmetricEasingsAreSymmetric) {
   for (const Easing& easing : {Easing{LinearEase{}}, Easing{SineEase{}}, Easing{SinusoidalEase{0.2, 0.8}},
                                Easing{ParabolicEase{0.2, 0.8}}, Easing{CubicBezierEase{0.42, 0, 0.58, 1}}}) {
     SCOPED_TRACE(easing.index());
@@ -76,14 +76,14 @@ TEST(Easing, SineIsSlowAtTheEndsAndHalfwayInTheMiddle) {
   EXPECT_NEAR(ease(SineEase{}, 1.0 / 3), 0.25, 1e-15);
 }
 
-// Pieces must agree where they meet, in value and in slope.
+// Pieces must agree in value and slope where they meet.
 void expect_smooth_at(const Easing& easing, double joint) {
   SCOPED_TRACE(joint);
   constexpr double h = 1e-6;
   const double before = ease(easing, joint - h), at = ease(easing, joint), after = ease(easing, joint + h);
   EXPECT_NEAR(before, at, 4 * h);
   EXPECT_NEAR(after, at, 4 * h);
-  // Both one-sided slopes are off by at most h times the second derivative, here below 100.
+  // The error of both one-sided slopes is at most h times the second derivative, here below 100.
   EXPECT_NEAR((at - before) / h, (after - at) / h, 200 * h);
 }
 
@@ -154,7 +154,7 @@ TEST(StepEase, JumpsAtItsPlace) {
   EXPECT_EQ(ease(StepEase{1}, std::nextafter(1, 0)), 0);
 }
 
-TEST(Easing, SaysWhatIsWrong) {
+TEST(Easing, ProblemsAreExplained) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(problem(SinusoidalEase{0.7, 0.3}), "k1, k2 must satisfy 0 <= k1 <= k2 <= 1");
   EXPECT_EQ(problem(ParabolicEase{-0.1, 0.3}), "t1, t2 must satisfy 0 <= t1 <= t2 <= 1");

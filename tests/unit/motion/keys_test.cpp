@@ -58,7 +58,7 @@ TEST(KeysEase, SlopeIsContinuousAtKeys) {
 }
 
 TEST(KeysEase, KeepsGivenSpeeds) {
-  // 5 is steeper than any monotone choice here, -1 runs backwards: both are what the author asked for.
+  // 5 is steeper than any monotone choice here, -1 runs backwards: the author asked for both.
   const KeysEase e{{{0, 0, 0.0}, {0.5, 0.5, 5.0}, {1, 1, -1.0}}};
   EXPECT_NEAR(slope(e, 0, 1e-7), 0, 1e-5);
   EXPECT_NEAR(slope(e, 0.5, -1e-7), 5, 1e-5);
@@ -80,7 +80,7 @@ TEST(KeysEase, GivesItsOwnEndValues) {
   EXPECT_EQ(ease(e, 2), 0.75);
 }
 
-TEST(KeysEase, SaysWhatIsWrong) {
+TEST(KeysEase, ProblemsAreExplained) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(problem(KeysEase{}), "distance keys need at least two keys, one at time 0 and one at time 1");
   EXPECT_EQ(problem(KeysEase{{{0, 0, {}}, {0.9, 1, {}}}}), "the first key must be at time 0 and the last at time 1");

@@ -19,7 +19,7 @@ struct RandomCurve {
   Curve curve() const { return {kind, points, closed}; }
 };
 
-/// Between 2 and 7 points in a square of 400 px; Beziers and closed curves take the next allowed number.
+/// Between 2 and 7 points in a square of 400 px; Beziers and closed curves get the next allowed number.
 inline RandomCurve random_curve(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(0, 400);

@@ -35,7 +35,7 @@ TEST(Mask, CoversTheAreaOfATriangle) {
     SCOPED_TRACE(trial);
     Path triangle;
     for (int corner = 0; corner < 3; ++corner) triangle.emplace_back(dice.between(2, 126), dice.between(2, 94));
-    // 24-bit sums over at most 128 pixels of a row: a thousandth of a pixel per row is ample.
+    // 24-bit sums over at most 128 pixels of a row: an error of 1/1000 pixel per row is generous.
     EXPECT_NEAR(total(canvas.mask(triangle)), shoelace(triangle), 0.1);
   }
 }
@@ -52,7 +52,7 @@ TEST(Mask, IsExactOnPixelEdgesAndHalves) {
   EXPECT_EQ(mask.at(8, 5), 0);
 }
 
-TEST(Mask, IsCutToTheCanvas) {
+TEST(Mask, IsClippedToTheCanvas) {
   const Canvas canvas(20, 10);
   const Mask all = canvas.mask({{-50, -50}, {70, -50}, {70, 60}, {-50, 60}});
   for (int y = 0; y < 10; ++y)
@@ -110,7 +110,7 @@ TEST(Noise, StaysInRangeAndIsContinuous) {
   }
 }
 
-TEST(Dice, FillItsRangeEvenly) {
+TEST(Dice, FillsItsRangeEvenly) {
   Dice dice(3);
   int counts[10] = {};
   for (int throws = 0; throws < 10000; ++throws) {
@@ -124,7 +124,7 @@ TEST(Dice, FillItsRangeEvenly) {
 }
 
 TEST(Hash, IsTheSameOnEveryMachine) {
-  // The pictures, and with them the golden frames, rest on these values.
+  // The pictures and the golden frames depend on these values.
   EXPECT_EQ(hash(0, 0, 0), 1565893538U);
   EXPECT_EQ(hash(-5, 17, 3), 1327660541U);
 }

@@ -1,4 +1,4 @@
-// Every sample: the same bytes every time, and a project whose marks lie on its pictures.
+// Every sample: the same bytes every time, and a project with its marks on its pictures.
 
 #include "samples/samples.h"
 

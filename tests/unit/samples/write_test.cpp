@@ -1,4 +1,4 @@
-// A sample as files: what comes back is what was painted, and nobody's work is lost.
+// A sample as files: it reads back as painted, and no file of the user is lost.
 
 #include "samples/write.h"
 

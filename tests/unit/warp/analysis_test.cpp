@@ -29,7 +29,7 @@ Map identity(cv::Size size) {
   return make_map(size, [](cv::Point2d p) { return p; });
 }
 
-/// An affine map whose coefficients are multiples of 1/8: every position is exact in float.
+/// An affine map with coefficients that are multiples of 1/8: every position is exact in float.
 struct Affine {
   double xx, xy, yx, yy, tx, ty;
   cv::Point2d operator()(cv::Point2d p) const { return {xx * p.x + xy * p.y + tx, yx * p.x + yy * p.y + ty}; }
@@ -103,7 +103,7 @@ TEST(Analysis, RotationKeepsLengths) {
   EXPECT_NEAR(range.largest, 1, 8e-6);
 }
 
-TEST(Analysis, StretchTellsMinificationFromMagnification) {
+TEST(Analysis, StretchIsAboveOneForMinificationAndBelowForMagnification) {
   const Map map = make_map({16, 16}, [](cv::Point2d p) { return cv::Point2d(4 * p.x, 0.25 * p.y); });
   EXPECT_EQ(stretch_range(map).largest, 4);
   EXPECT_EQ(stretch_range(map).smallest, 0.25);
@@ -125,7 +125,7 @@ TEST(Analysis, ConstantMapFoldsEverywhere) {
   EXPECT_EQ(folds[0].area_px, 64);
 }
 
-/// The identity, but inside `box` x runs backwards twice as fast.
+/// The identity, except that x runs backwards twice as fast inside `box`.
 void fold(Map& map, const cv::Rect& box) {
   const double middle = box.x + box.width / 2.0;
   for (int y = box.y; y < box.br().y; ++y) {
@@ -133,7 +133,7 @@ void fold(Map& map, const cv::Rect& box) {
   }
 }
 
-TEST(Analysis, LocalFoldIsFoundWhereItIs) {
+TEST(Analysis, FindsALocalFoldInItsPlace) {
   Map map = identity({60, 50});
   const cv::Rect box(20, 15, 10, 8);
   fold(map, box);
@@ -173,7 +173,7 @@ TEST(Analysis, RegionsTouchingAtACornerAreOne) {
   EXPECT_EQ(folds[0].area_px, 32);
 }
 
-TEST(Analysis, NonFinitePixelsAndTheirNeighboursAreNoFold) {
+TEST(Analysis, NonFinitePixelsAndTheirNeighboursAreNotFolds) {
   for (const float hole : {kNan, std::numeric_limits<float>::infinity()}) {
     Map map = make_map({9, 9}, [](cv::Point2d p) { return cv::Point2d(2 * p.x, p.y); });
     map(4, 4) = {hole, 1};
@@ -193,7 +193,7 @@ TEST(Analysis, NonFinitePixelsAndTheirNeighboursAreNoFold) {
   }
 }
 
-TEST(Analysis, MapOfNothing) {
+TEST(Analysis, MapWithoutFinitePixels) {
   const Map map(5, 5, MapPoint(kNan, kNan));
   EXPECT_TRUE(find_folds(map).empty());
   EXPECT_EQ(stretch_range(map).smallest, 1);

@@ -1,4 +1,4 @@
-// What interpolation of far lines does, against the bound that the plan of a tile relies on.
+// The error from interpolating far lines, against the bound that the plan of a tile uses.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kCases = 20000;
 
-/// A line as a tile sees it, from the tile's middle pixel; and a channel, affine over the tile.
+/// A line relative to the middle pixel of a tile, and a channel that is affine over the tile.
 struct Case {
   double a = 0, b = 0;
   double across = 0, before = 0, after = 0, along_x = 1, along_y = 0;
@@ -70,7 +70,8 @@ class LineFieldBound : public testing::Test {
     return *(values.begin() + std::uniform_int_distribution<int>(0, static_cast<int>(values.size()) - 1)(random_));
   }
 
-  /// Between twice a tile's width and the size of a picture away; many with an end abreast of the tile.
+  /// A random line, at a distance between twice the width of a tile and the size of a picture; many end beside the
+  /// tile.
   Case line() {
     Case line;
     line.a = pick({0, 0.3, 1, 10, 100});
@@ -93,12 +94,12 @@ TEST_F(LineFieldBound, HoldsForWeights) {
   for (int i = 0; i < kCases; ++i) {
     const Case line = this->line();
     const double worst = measured(line), most = bound(line);
-    // What is below is the rounding of the polynomials, which has a bound of its own.
+    // Smaller errors are rounding of the polynomials, which has its own bound.
     if (worst < 1e-6) continue;
     EXPECT_LE(worst, most) << "case " << i << " distance " << line.distance(0, 0) << " a " << line.a << " b " << line.b;
     if (most < 1) nearest = std::max(nearest, worst / most);
   }
-  EXPECT_GT(nearest, 0.5) << "a bound that is never near costs time";
+  EXPECT_GT(nearest, 0.5) << "a bound far above all errors costs time";
 }
 
 TEST_F(LineFieldBound, HoldsForWeightedChannels) {
@@ -113,7 +114,7 @@ TEST_F(LineFieldBound, HoldsForWeightedChannels) {
     EXPECT_LE(worst, most) << "case " << i << " distance " << line.distance(0, 0) << " a " << line.a << " b " << line.b;
     if (most < 1) nearest = std::max(nearest, worst / most);
   }
-  EXPECT_GT(nearest, 0.5) << "a bound that is never near costs time";
+  EXPECT_GT(nearest, 0.5) << "a bound far above all errors costs time";
 }
 
 }  // namespace HWY_NAMESPACE

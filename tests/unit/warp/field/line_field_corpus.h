@@ -1,5 +1,5 @@
 #pragma once
-// Random line sets for the tests of the field: everything that people draw, and what they would not.
+// Random line sets for the tests of the field: sets that people draw, and sets that nobody would draw.
 
 #include <random>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace morphkit::warp {
 
-/// A line set, the size of the picture that it belongs to, and the seed that makes it again.
+/// A line set, the size of its picture, and the seed that reproduces it.
 struct FieldCase {
   unsigned seed = 0;
   int width = 0, height = 0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWildCases = 400;
 
-/// Worst distance from the reference; infinite if something is not finite, or not equal where it must be.
+/// Worst distance from the reference; infinite if a value is not finite, or differs where it must be equal.
 double worst_difference(const FieldRow& fast, const FieldRow& reference, double far_px) {
   double worst = 0;
   for (size_t t = 0; t < fast.maps.size(); ++t) {
@@ -25,7 +25,7 @@ double worst_difference(const FieldRow& fast, const FieldRow& reference, double 
       const cv::Vec2d r = reference.maps[t][i];
       const bool far = std::max(std::abs(r[0]), std::abs(r[1])) >= far_px;
       const double difference = cv::norm(f - r);
-      if (f == r) continue;  // includes what overflowed a float
+      if (f == r) continue;  // includes floats that overflowed
       worst = far || !std::isfinite(difference) ? HUGE_VAL : std::max(worst, difference);
     }
   }
@@ -43,7 +43,7 @@ double worst_value_difference(const FieldRow& fast, const FieldRow& reference) {
 
 class LineFieldSimd : public hwy::TestWithParamTarget {
  protected:
-  /// Compares one row and returns how many pixels the kernel asked the reference for.
+  /// Compares one row. @return  how many pixels the kernel took from the reference.
   int compare_row(const detail::FieldTables& tables, const LineField& field, int y, int x_begin, int n,
                   FieldAccuracy accuracy = FieldAccuracy::kExact) {
     FieldRow fast(tables.targets(), n);
@@ -87,7 +87,7 @@ TEST_P(LineFieldSimd, AdaptiveAgreesWithTheReferenceOnWildSets) {
   }
 }
 
-/// What is drawn: chains, crossings, thousands of short lines; every a and b. Everywhere, not on chosen rows.
+/// Sets that people draw: chains, crossings, thousands of short lines; every a and b. On all rows.
 TEST_P(LineFieldSimd, AdaptiveAgreesOnChainsCrossingsAndCrowds) {
   struct Crowd {
     int lines;
@@ -133,7 +133,7 @@ TEST_P(LineFieldSimd, AgreesOnWholeRowsOf4K) {
   }
 }
 
-TEST_P(LineFieldSimd, EveryWidthAndNothingBeside) {
+TEST_P(LineFieldSimd, WritesEveryWidthAndNothingBesideIt) {
   const FieldCase set = FieldCaseMaker(5).ordinary(200, 100, 20, 3, {0, 1.5, 0.2}, 20);
   const LineField field(set.lines, 3);
   for (int n = 0; n <= 67; ++n) {
@@ -156,7 +156,7 @@ TEST_P(LineFieldSimd, EveryWidthAndNothingBeside) {
   }
 }
 
-TEST_P(LineFieldSimd, CutsDoNotShow) {
+TEST_P(LineFieldSimd, ResultsDoNotDependOnTheArea) {
   constexpr int kWidth = 150, kHeight = 70;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -186,8 +186,8 @@ TEST_P(LineFieldSimd, CutsDoNotShow) {
   }
 }
 
-/// Targets are worked on in pairs.
-TEST_P(LineFieldSimd, OtherPairsOfTargetsDoNotMatter) {
+/// The kernel handles targets in pairs.
+TEST_P(LineFieldSimd, ATargetDoesNotDependOnTheOthers) {
   const FieldCase set = FieldCaseMaker(9).ordinary(640, 480, 30, 6, {1, 1.3, 0.2}, 30);
   FieldRow all(6, 640);
   LineField(set.lines, 6).evaluate(all.area(100, 0), FieldAccuracy::kExact, all.views);
@@ -202,14 +202,14 @@ TEST_P(LineFieldSimd, OtherPairsOfTargetsDoNotMatter) {
   }
 }
 
-TEST_P(LineFieldSimd, OrdinarySetsHardlyNeedTheReference) {
+TEST_P(LineFieldSimd, OrdinarySetsRarelyNeedTheReference) {
   for (const LineWeight weight : {LineWeight{1, 2, 0}, LineWeight{1, 1.5, 0.2}, LineWeight{0.01, 1, 0.5},
                                   LineWeight{10, 1.3, 1}, LineWeight{1, 4, 0}, LineWeight{0.5, 0.5, 0}}) {
     for (const int lines : {1, 10, 50, 100}) {
       SCOPED_TRACE(testing::Message() << "a " << weight.a << " b " << weight.b << " lines " << lines);
       const FieldCase set = FieldCaseMaker(77).ordinary(1920, 1080, lines, 2, weight, 60);
       const detail::FieldTables tables(set.lines, 2);
-      // Two tiles where a hundred lines pull about as hard and hundreds of px apart.
+      // Two tiles where a hundred lines have about equal weights and displacements hundreds of px apart.
       EXPECT_LE(compare_row(tables, LineField(set.lines, 2), 540, 0, 1920), 2 * kFieldTile);
     }
   }
@@ -224,8 +224,8 @@ TEST_P(LineFieldSimd, OnlyPixelsOnALineNeedTheReferenceWithoutA) {
   EXPECT_EQ(compare_row(tables, LineField(set.lines, 2), 300, 0, 1920), 64);
 }
 
-TEST_P(LineFieldSimd, WhatFloatCannotHoldIsTakenFromTheReference) {
-  // A hair stretched to the size of the frame beside a plain line: a million px of difference.
+TEST_P(LineFieldSimd, PixelsBeyondFloatPrecisionComeFromTheReference) {
+  // A tiny line stretched to the size of the frame beside a plain line: a million px of difference.
   FieldCase set = FieldCaseMaker(79).ordinary(640, 480, 2, 1, {1, 1, 0}, 5);
   set.lines[0].output = {{300, 200}, {300.001, 200}};
   set.lines[0].targets[0] = {{0, 0}, {640, 480}};
@@ -233,7 +233,7 @@ TEST_P(LineFieldSimd, WhatFloatCannotHoldIsTakenFromTheReference) {
   EXPECT_GT(compare_row(tables, LineField(set.lines, 1), 100, 0, 640), 500);
 }
 
-/// However little the distance counts elsewhere.
+/// Even if distance hardly matters elsewhere.
 TEST_P(LineFieldSimd, APixelOnALineFollowsItEvenWithoutFalloff) {
   for (const double b : {0.0, 1e-5}) {
     const std::vector<FieldLine> lines = {
@@ -244,7 +244,7 @@ TEST_P(LineFieldSimd, APixelOnALineFollowsItEvenWithoutFalloff) {
   }
 }
 
-TEST_P(LineFieldSimd, AHairBesideALineStaysFinite) {
+TEST_P(LineFieldSimd, ATinyLineBesideALineStaysFinite) {
   for (const double beside : {0.0, 5e-7, 9e-7, 1e-5}) {
     const std::vector<FieldLine> lines = {{{{100, 48.5 + beside}, {400, 48.5 + beside}},
                                            {{{110, 58.5 + beside}, {410, 58.5 + beside}}},

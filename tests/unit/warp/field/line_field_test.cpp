@@ -25,7 +25,7 @@ cv::Point2d turned(const cv::Point2d& p, double angle_rad) {
   return {std::cos(angle_rad) * p.x - std::sin(angle_rad) * p.y, std::sin(angle_rad) * p.x + std::cos(angle_rad) * p.y};
 }
 
-/// Beier and Neely 1992, equations 1 to 3, written out: where a single pair takes X.
+/// Beier and Neely 1992, equations 1 to 3, written out: the position to which a single pair moves X.
 cv::Point2d pair_image(const cv::Point2d& x, const Line& from, const Line& to, LineScale scale) {
   const cv::Point2d d = from.q - from.p;
   const cv::Point2d d_to = to.q - to.p;
@@ -77,7 +77,7 @@ TEST(LineField, OnePairIsItsAffineMap) {
     const FieldRow reference = reference_row(field, y, 0, 640);
     for (int i = 0; i < 640; ++i) {
       const cv::Point2d expected = pair_image({i + 0.5, y + 0.5}, line.output, line.targets[0], scale);
-      // The output is float: half a unit in its last place for each coordinate, plus 1e-9 for the mathematics.
+      // The output is float: half a unit in the last place for each coordinate, plus 1e-9 for the double arithmetic.
       const double rounding = (std::abs(expected.x) + std::abs(expected.y)) * 0x1p-24 + 1e-9;
       ASSERT_LE(cv::norm(point_of(reference.maps[0][i]) - expected), rounding) << "round " << round << " x " << i;
       ASSERT_LE(cv::norm(point_of(fast.maps[0][i]) - expected), kFieldTolerancePx) << "round " << round << " x " << i;
@@ -86,7 +86,7 @@ TEST(LineField, OnePairIsItsAffineMap) {
 }
 
 TEST(LineField, ReferenceMeetsHandComputedPositionsExactly) {
-  // Twice as long along x: along-stretch doubles x only, the similarity doubles both.
+  // Twice as long along x: kAlong doubles x only, the similarity doubles both.
   const Line output{{0, 0}, {4, 0}};
   const Line target{{0, 0}, {8, 0}};
   const FieldLine along = pair(output, target);
@@ -95,7 +95,7 @@ TEST(LineField, ReferenceMeetsHandComputedPositionsExactly) {
   EXPECT_EQ(reference_row(LineField({&uniform, 1}, 1), 2, 1, 1).maps[0][0], MapPoint(3, 5));
 }
 
-TEST(LineField, TwoPairsMeanByWeight) {
+TEST(LineField, TwoPairsGiveTheWeightedMean) {
   // At (0.5, 0.5): distances 4 and 2 from two points; a = 0, b = 1 -> weights 1/4 and 1/2.
   const std::vector<FieldLine> lines = {
       pair({{4.5, 0.5}, {4.5, 0.5}}, {{10.5, 0.5}, {10.5, 0.5}}, {0, 1, 0}, LineScale::kAlong, 1),
@@ -107,7 +107,7 @@ TEST(LineField, TwoPairsMeanByWeight) {
   EXPECT_FLOAT_EQ(row.values[0], 3.0f);
 }
 
-/// Everything about a line `zoom` times as large; weights as before.
+/// A line `zoom` times as large, with the same weights.
 FieldLine magnified(FieldLine line, double zoom) {
   line.output = {line.output.p * zoom, line.output.q * zoom};
   for (Line& target : line.targets) target = {target.p * zoom, target.q * zoom};
@@ -115,8 +115,8 @@ FieldLine magnified(FieldLine line, double zoom) {
   return line;
 }
 
-TEST(LineField, AViewInItsUnitIsTheFieldItself) {
-  // Odd zooms have pixel centres where the frame has them: that of pixel i in the middle of zoom pixels.
+TEST(LineField, AMagnifiedViewWithItsUnitEqualsTheField) {
+  // With odd zooms, the centre of pixel i of the frame is the centre of the middle one of `zoom` pixels.
   for (const int zoom : {3, 15, 16383}) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       SCOPED_TRACE(testing::Message() << "zoom " << zoom << " seed " << seed);
@@ -143,7 +143,7 @@ TEST(LineField, AViewInItsUnitIsTheFieldItself) {
   }
 }
 
-TEST(LineField, UnitsThatAreNoneAreRefused) {
+TEST(LineField, RefusesInvalidUnits) {
   for (const double unit : {0.0, -1.0, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
     const FieldLine line = pair({{0, 0}, {4, 0}}, {{0, 0}, {8, 0}}, {1, 2, 0, unit});
     EXPECT_THROW(LineField({&line, 1}, 1), std::invalid_argument) << unit;
@@ -151,7 +151,7 @@ TEST(LineField, UnitsThatAreNoneAreRefused) {
 }
 
 TEST(LineField, DistanceIsToTheNearerEndBeyondTheLine) {
-  // Beside the line's end the pull falls with the distance to the end: weights 1/5 (3-4-5) and 1/5 from a point.
+  // Beyond the end of a line, the distance to the end counts: weights 1/5 (3-4-5) and 1/5 from a point.
   const std::vector<FieldLine> lines = {pair({{0.5, 0.5}, {10.5, 0.5}}, {{0.5, 2.5}, {10.5, 2.5}}, {0, 1, 0}),
                                         pair({{18.5, 4.5}, {18.5, 4.5}}, {{18.5, 4.5}, {18.5, 4.5}}, {0, 1, 0})};
   const FieldRow row = reference_row(LineField(lines, 1), 4, 13, 1);
@@ -179,7 +179,7 @@ TEST(LineField, OnePointIsATranslation) {
 
 TEST(LineField, LineTurningThroughLengthZeroIsAPointAtItsPlace) {
   const FieldLine in_output = pair({{5, 5}, {5, 5}}, {{2, 9}, {4, 9}});  // midpoint moves by (-2, 4)
-  const FieldLine in_target = pair({{4, 5}, {6, 5}}, {{3, 9}, {3, 9}});  // as well
+  const FieldLine in_target = pair({{4, 5}, {6, 5}}, {{3, 9}, {3, 9}});  // here too
   for (const FieldLine& line : {in_output, in_target}) {
     const LineField field({&line, 1}, 1);
     EXPECT_EQ(reference_row(field, 0, 0, 3).maps[0][1], MapPoint(-0.5f, 4.5f));
@@ -188,7 +188,7 @@ TEST(LineField, LineTurningThroughLengthZeroIsAPointAtItsPlace) {
 }
 
 TEST(LineField, PixelsOnALineFollowItWithoutA) {
-  // The first line lies on the pixel centres of row 7; others pull elsewhere, hard.
+  // The first line lies on the pixel centres of row 7; others have large displacements elsewhere.
   const std::vector<FieldLine> lines = {pair({{2.5, 7.5}, {90.5, 7.5}}, {{12.5, 3.5}, {100.5, 3.5}}, {0, 0.5, 0}),
                                         pair({{0, 0}, {90, 20}}, {{500, 0}, {900, 400}}, {0, 0.5, 1}),
                                         pair({{40, 8}, {40, 8}}, {{0, 900}, {0, 900}}, {1, 2, 0})};
@@ -236,7 +236,7 @@ TEST(LineField, RotatingOutputAndTargetsRotatesTheField) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     FieldCaseMaker make(seed);
     FieldCase set = make.ordinary(200, 200, 12, 1, {make.uniform(0.1, 3), make.uniform(0.5, 4), 0.5}, 30);
-    // About the centre of pixel (20, 50), so that it stays where it is.
+    // About the centre of pixel (20, 50), which therefore stays in place.
     const cv::Point2d centre{20.5, 50.5};
     const cv::Point2d before = point_of(reference_row(LineField(set.lines, 1), 50, 20, 1).maps[0][0]);
     const double angle_rad = make.uniform(-3, 3);
@@ -256,7 +256,7 @@ TEST(LineField, DisplacementLiesWithinTheBoxOfItsPairs) {
     FieldCaseMaker make(seed);
     const FieldCase set = make.ordinary(300, 200, 8, 1, {make.uniform(0, 3), make.uniform(0.5, 4), 0.5}, 60);
     const FieldRow fast = evaluated_row(LineField(set.lines, 1), 77, 0, 300);
-    // A hull is the intersection of half planes: no direction may be left further than by the pair that goes furthest.
+    // A hull is an intersection of half planes: in any direction, no displacement may exceed the largest of the pairs.
     for (int i = 0; i < 300; ++i) {
       const cv::Point2d x{i + 0.5, 77.5};
       for (int k = 0; k < 16; ++k) {

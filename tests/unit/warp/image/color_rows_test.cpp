@@ -1,4 +1,4 @@
-// Rows of codes: what the reference promises, and the kernels against it on every instruction set that this machine
+// Rows of codes: the properties of the reference, and the kernels against it on every instruction set that this machine
 // runs, to the bit.
 
 #include "warp/image/color_rows.h"
@@ -36,7 +36,7 @@ TEST(SrgbQuantizer, RoundsToTheNearestCode) {
     for (int i = 0; i < 200000; ++i) {
       const float linear = std::exp2(exponent(random));
       const double exact = srgb_exactly(linear) * largest;
-      // Half a code, and what the float value of a code's boundary may be off: an ulp in 65535 codes.
+      // Half a code, plus the error of a code's boundary as a float: an ulp in 65535 codes.
       ASSERT_LE(std::abs(exact - quantize(linear)), 0.5 + 0.01) << linear << " of " << largest;
     }
   }
@@ -101,7 +101,7 @@ class ColorRows : public hwy::TestWithParamTarget {
 };
 HWY_TARGET_INSTANTIATE_TEST_SUITE_P(ColorRows);
 
-/// Compares the codes of both, and what stands behind them.
+/// Compares the codes of both, and the memory after them.
 template <typename Code>
 void expect_same_codes(std::span<const Pixel> pixels, int channels) {
   constexpr Code kGuard = 77;
@@ -114,7 +114,7 @@ void expect_same_codes(std::span<const Pixel> pixels, int channels) {
     ASSERT_EQ(actual[i], expected[i]) << "code " << i << " of " << count << ", " << channels << " channels";
 }
 
-TEST_P(ColorRows, CodesAreThoseOfTheReference) {
+TEST_P(ColorRows, CodesEqualTheReference) {
   expect_same_codes<std::uint8_t>({}, 3);
   for_rows_of_pixels([](std::span<const Pixel> pixels) {
     for (const int channels : {3, 4}) {
@@ -142,7 +142,7 @@ TEST_P(ColorRows, CodesAreExactBesideEveryBoundary) {
 }
 
 TEST_P(ColorRows, CodesAreExactAlongTheScale) {
-  // Every 641st float of [0, 1], more than a million: all pieces of the curve, in no order that suits it.
+  // Every 641st float of [0, 1], more than a million: all pieces of the curve, in a mixed order.
   std::vector<Pixel> pixels;
   const std::uint32_t end = std::bit_cast<std::uint32_t>(1.0F);
   for (std::uint32_t bits = 0; bits + 2 * 641 <= end; bits += 3 * 641) {
@@ -162,7 +162,7 @@ void expect_same_planes(const DisplayRow& actual, const DisplayRow& expected, in
   }
 }
 
-TEST_P(ColorRows, DisplayPlanesAreThoseOfTheReference) {
+TEST_P(ColorRows, DisplayPlanesEqualTheReference) {
   for_rows_of_pixels([](std::span<const Pixel> pixels) {
     for (const bool straight : {false, true}) {
       for (const std::size_t more : {0, 1, 40}) {
@@ -176,7 +176,7 @@ TEST_P(ColorRows, DisplayPlanesAreThoseOfTheReference) {
   });
 }
 
-TEST_P(ColorRows, MeansAreThoseOfTheReference) {
+TEST_P(ColorRows, MeansEqualTheReference) {
   for_rows_of_pixels([this](std::span<const Pixel> pixels) {
     DisplayRow upper(pixels.size());
     DisplayRow lower(pixels.size());
@@ -204,7 +204,7 @@ void expect_same_sums(const DisplayRow& row, const CodeWeights& weights) {
   EXPECT_EQ(actual, expected) << row.width();
 }
 
-TEST_P(ColorRows, WeightedCodesAreThoseOfTheReference) {
+TEST_P(ColorRows, WeightedCodesEqualTheReference) {
   for_rows_of_pixels([](std::span<const Pixel> pixels) {
     DisplayRow row(pixels.size());
     reference_to_display(pixels, false, row);

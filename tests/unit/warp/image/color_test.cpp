@@ -12,7 +12,7 @@
 namespace morphkit::warp {
 namespace {
 
-// The standard, in double, with the change-over where the two pieces meet.
+// The standard, in double; the two pieces switch at their true intersection.
 double exact_linear(double srgb) {
   const double magnitude = std::abs(srgb);
   const double linear =
@@ -68,14 +68,14 @@ TEST(Color, WithinOneUlpOfTheStandard) {
   });
 }
 
-TEST(Color, ChangeOverIsNoFartherFromTheStandardThanStated) {
+TEST(Color, DiffersFromTheStandardByTheStatedAmountAtMost) {
   const double by_standard = 1.055 * std::pow(0.0031307, 1 / 2.4) - 0.055;
   EXPECT_NEAR(srgb_from_linear(0.0031307F), by_standard, 3e-8);
   EXPECT_NEAR(srgb_from_linear(0.0031308F), 0.0031308 * 12.92, 3e-8);
 }
 
-TEST(Color, MonotoneBetweenAllNeighbouringFloatsThatMatter) {
-  // Every float of [1/1024, 2), where the change-over and most knots of the tables lie.
+TEST(Color, MonotoneBetweenNeighbouringFloatsNearTheBreak) {
+  // Every float of [1/1024, 2): it contains the break and most knots of the tables.
   const std::uint32_t begin = std::bit_cast<std::uint32_t>(1.0F / 1024);
   const std::uint32_t end = std::bit_cast<std::uint32_t>(2.0F);
   float last_linear = 0;

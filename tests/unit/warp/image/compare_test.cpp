@@ -72,7 +72,7 @@ TEST(Compare, IsSymmetric) {
   EXPECT_EQ(forth.worst, back.worst);
 }
 
-TEST(Compare, PsnrOfAUniformStepIsThatOfItsSize) {
+TEST(Compare, PsnrOfAUniformStepFollowsFromItsSize) {
   // Three of four channels differ by 0.1: the mean square is 0.0075.
   const Difference difference = compare(gray({8, 8}, 0.5F), gray({8, 8}, 0.6F));
   EXPECT_NEAR(difference.max_abs, 0.1, 1e-6);
@@ -81,7 +81,7 @@ TEST(Compare, PsnrOfAUniformStepIsThatOfItsSize) {
   EXPECT_EQ(difference.differing, 64);
 }
 
-TEST(Compare, NonFiniteValuesAreADifferenceEvenFromThemselves) {
+TEST(Compare, NonFiniteValuesDifferEvenFromThemselves) {
   for (const float bad : {kNan, kInfinity, -kInfinity}) {
     Image image = random_image({5, 4}, 4);
     image(2, 3)[1] = bad;
@@ -144,7 +144,7 @@ TEST(DifferenceImage, ShowsADifferenceOfAlphaAlone) {
   EXPECT_NEAR(srgb_from_linear(out(0, 0)[0]), 0.5F, 1e-6);
 }
 
-TEST(DifferenceImage, MarksWhatIsNotFinite) {
+TEST(DifferenceImage, MarksNonFinitePixels) {
   Image bad = gray({2, 1}, 0);
   bad(0, 1)[2] = kNan;
   EXPECT_EQ(difference_image(gray({2, 1}, 0), bad, 1)(0, 1), Pixel(1, 0, 1, 1));

@@ -9,7 +9,7 @@
 namespace morphkit::warp {
 namespace {
 
-TEST(ImagePool, GivesMemoryBackToTheNextImageOfItsSize) {
+TEST(ImagePool, ReusesMemoryForTheNextImageOfItsSize) {
   const cv::Size size(512, 300);
   Image first = pooled_image(size);
   const void* const memory = first.data;
@@ -34,7 +34,7 @@ TEST(ImagePool, ImagesBehaveLikeAnyOther) {
   EXPECT_TRUE(pooled_image({0, 0}).empty());
 }
 
-TEST(ImagePool, ThreadsDoNotMeetInOneBlock) {
+TEST(ImagePool, ThreadsNeverShareABlock) {
   std::vector<std::thread> threads;
   std::vector<int> wrong(4, 0);
   for (int t = 0; t < 4; ++t)

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of pixels compared as kernels must agree with their references.
+// The comparison that kernels of rows must pass against their references.
 
 #include <bit>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace morphkit::warp {
 
-/// Equal bits, where NaN is NaN.
+/// Equal bits; any NaN equals any NaN.
 inline bool same_pixels(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t k = 0; k < a.size(); ++k) {

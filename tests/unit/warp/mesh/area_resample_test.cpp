@@ -1,5 +1,5 @@
-// Area resampling of a line: what the reference promises, and the kernel against it on every instruction set that this
-// machine runs.
+// Area resampling of a line: the properties of the reference, and the kernel against it on every instruction set that
+// this machine runs.
 
 #include "warp/mesh/area_resample.h"
 
@@ -42,7 +42,8 @@ class CaseMaker {
     return result;
   }
 
-  /// Within a source of `pixels`: magnified, minified and empty stretches, runs of whole numbers and of near ones.
+  /// Edges within a source of `pixels`: magnified, minified and empty stretches, runs of whole and nearly whole
+  /// numbers.
   Edges edges(std::size_t count, std::size_t pixels) {
     const double end = static_cast<double>(pixels);
     Edges result;
@@ -231,7 +232,7 @@ TEST_P(AreaResample, DenormalsAgreeWithTheReference) {
   const Pixels fast = resampled(resample_line, source, edges);
   const Pixels reference = resampled(reference_resample_line, source, edges);
   for (std::size_t k = 0; k < fast.size(); ++k) {
-    // Down there a float has an absolute precision.
+    // Denormals have an absolute precision.
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(fast[k][c], reference[k][c], 20 * 0x1p-149) << k;
   }
 }
@@ -268,7 +269,7 @@ TEST_P(AreaResample, AConstantStaysToTheBit) {
   }
 }
 
-TEST_P(AreaResample, AlphaIsACoverage) {
+TEST_P(AreaResample, AlphaStaysInTheUnitInterval) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     CaseMaker make(seed);
@@ -304,7 +305,7 @@ TEST_P(AreaResample, CoverageFadesTheEnds) {
   }
 }
 
-TEST_P(AreaResample, NonFinitePixelsStayWhereTheyAre) {
+TEST_P(AreaResample, NonFinitePixelsSpoilOnlyTheirNeighbourhood) {
   for (unsigned seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     CaseMaker make(seed);
@@ -326,7 +327,7 @@ TEST_P(AreaResample, NonFinitePixelsStayWhereTheyAre) {
   }
 }
 
-TEST(AreaResampleReference, NothingIsDrawnOfNothing) {
+TEST(AreaResampleReference, AnEmptyIntervalDrawsNothing) {
   const Pixels source(3, Pixel(1, 1, 1, 1));
   EXPECT_TRUE(resampled(resample_line, source, {1.5}).empty());
   EXPECT_TRUE(resampled(reference_resample_line, source, {1.5}).empty());

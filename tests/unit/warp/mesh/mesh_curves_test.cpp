@@ -1,4 +1,4 @@
-// The map along a scanline: what it promises for any knots, the same bits on every instruction set that this machine
+// The map along a scanline: its properties for any knots, and the same bits on every instruction set that this machine
 // runs.
 
 #include "warp/mesh/mesh_curves.h"
@@ -22,7 +22,8 @@ struct Case {
   std::vector<double> edges;  ///< to be filled
 };
 
-/// Knots in and out of order, equal ones, outlines inside, around and beside the output line, which has 0 to 67 pixels.
+/// Knots in and out of order and equal ones; outlines inside, around and beside the output line, which has 0 to 67
+/// pixels.
 Case random_case(unsigned seed) {
   std::mt19937 random(seed);
   const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -56,14 +57,14 @@ TEST_P(LineEdgesOnTarget, RiseWithinTheSourceAndAreTheMapAtWholeNumbers) {
     for (std::size_t k = 0; k < line.edges.size(); ++k) {
       ASSERT_TRUE(line.edges[k] >= 0 && line.edges[k] <= line.length);
       ASSERT_GE(line.edges[k], line.edges[k > 0 ? k - 1 : 0] - 1e-9);
-      if (line.spline == MeshSpline::kCatmullRom) continue;  // at() shows where it comes back
+      if (line.spline == MeshSpline::kCatmullRom) continue;  // at() keeps the part that turns back
       // The same arithmetic, so the same bits: no target fuses multiplications and additions.
       ASSERT_EQ(line.edges[k], line.knots.at(static_cast<double>(k), segment)) << k;
     }
   }
 }
 
-TEST_P(LineEdgesOnTarget, WhatDoesNotMoveIsWhole) {
+TEST_P(LineEdgesOnTarget, AreWholeNumbersWhereNothingMoves) {
   LineKnots knots;
   knots.resize(5);
   knots.to = knots.from = {0, 3.7, 11.1, 40.3, 67};

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that bend pictures known at every point. For the test of the mesh warp's quality and its benchmark.
+// Meshes for pictures with known values at every point. For the quality test and the benchmark of the mesh warp.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 
 namespace morphkit::warp {
 
-/// The plate and its radial map, made for a mesh. A mesh's border lies on its outline, which the radial map of the
-/// middle does not do: so both images go on around the measured part, the plate with them, and out there the mesh's
-/// vertices are drawn from the radial map to the outline.
+/// The zone plate and its radial map as meshes. The border of a mesh lies on its outline, but the radial map does not
+/// keep it there. So both images and the plate extend beyond the measured part, and in this margin the vertices move
+/// gradually from the radial map to the outline.
 class ZonePlate {
  public:
   static constexpr int kVertices = 129;
@@ -53,7 +53,7 @@ class ZonePlate {
   }
 
  private:
-  static constexpr double kUntouched = 28;  // output px around the measured part that are radial, too
+  static constexpr double kUntouched = 28;  // output px around the measured part that are still radial
 
   /// From the radial map's coordinate at the edge of the untouched part to the outline at the margin's end.
   static double drawn_out(double output, double inside) {
@@ -63,8 +63,8 @@ class ZonePlate {
   }
 };
 
-/// An even mesh whose inner vertices are moved: by a slow swirl of up to `swirl` of the image, and each at random by up
-/// to `jitter` of its distance from its neighbours.
+/// A uniform mesh with moved inner vertices: a smooth swirl of up to `swirl` of the image, plus a random shift of up to
+/// `jitter` of the distance to the neighbours.
 inline Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double jitter, unsigned seed) {
   const cv::Rect2d outline(0, 0, size.width, size.height);
   Mesh mesh = uniform_mesh(columns, rows, outline);
@@ -81,8 +81,8 @@ inline Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double
   return mesh;
 }
 
-/// What `warp`'s exact map says about every `stride`-th output pixel of `area`, at `offset` in [0, 1] from its corner.
-/// A map of few pixels: that of the output mesh made smaller by `stride`.
+/// The exact map of `warp` at every `stride`-th output pixel of `area`, at `offset` in [0, 1] from its corner. It is
+/// the map of the output mesh reduced by `stride`.
 inline Map sparse_map(const MeshWarp& warp, cv::Rect area, int stride, cv::Point2d offset) {
   Mesh to = warp.to();
   const cv::Point2d origin = cv::Point2d(area.tl()) + offset;
@@ -92,7 +92,7 @@ inline Map sparse_map(const MeshWarp& warp, cv::Rect area, int stride, cv::Point
 }
 
 /// The mean of 16 x 16 samples of the picture over every `stride`-th pixel and row of `area`, through the exact map of
-/// `warp`, whose spline is monotone.
+/// `warp`. The spline of `warp` must be monotone.
 template <typename Value>
 std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area, int stride, const Value& value) {
   constexpr int kSamples = 16;

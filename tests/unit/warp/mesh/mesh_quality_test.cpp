@@ -1,5 +1,5 @@
-// The mesh warp against the truth: pictures that are known at every point, 16 x 16 samples per output pixel through the
-// warp's own exact map.
+// The mesh warp against exact results: pictures with known values at every point, 16 x 16 samples per output pixel
+// through the warp's exact map.
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@ namespace morphkit::warp {
 namespace {
 
 const cv::Size kPhotographSize(600, 400);
-constexpr int kStride = 11;  // of the pixels that are compared with the truth
+constexpr int kStride = 11;  // between pixels that are compared
 
-TEST(MeshQuality, TheZonePlatesMeshIsInOrderAndRadialWhereItIsMeasured) {
+TEST(MeshQuality, TheMeshOfTheZonePlateIsInOrderAndRadialInTheMeasuredPart) {
   const Mesh from = ZonePlate::from();
   const Mesh to = ZonePlate::to();
   EXPECT_TRUE(find_folds(from).empty());
@@ -27,7 +27,7 @@ TEST(MeshQuality, TheZonePlatesMeshIsInOrderAndRadialWhereItIsMeasured) {
   }
 }
 
-TEST(MeshQuality, TheReferencesMapIsTheWarps) {
+TEST(MeshQuality, TheMapOfTheReferenceEqualsTheWarp) {
   const MeshWarp warp(ZonePlate::from(), ZonePlate::to());
   const cv::Rect measured = ZonePlate::measured();
   const Map map = sparse_map(warp, measured, 61, {0.25, 0.75});
@@ -55,7 +55,7 @@ TEST(MeshQuality, ZonePlate) {
   EXPECT_GE(alias_zone, 24);
   EXPECT_GE(whole, 28);
 
-  // Plate and meshes are their own mirror images about the diagonal: so the other order must do as well.
+  // Plate and meshes are symmetric about the diagonal, so the other order must be as good.
   const MeshWarp other(ZonePlate::from(), ZonePlate::to(), {MeshSpline::kMonotone, PassOrder::kColumnsFirst});
   EXPECT_LE(cv::norm(other.apply(source, size), Image(out.t()), cv::NORM_INF), 1e-5);
 }

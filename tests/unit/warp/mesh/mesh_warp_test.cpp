@@ -207,13 +207,13 @@ TEST(MeshWarp, InterceptsOfOrderedVerticesAreInOrderEverywhere) {
       ASSERT_EQ(curves.intercept(any, y, hints), places[any]);
     }
   }
-  EXPECT_GT(meshes, 1500) << "too few of the random meshes are in order for this to say much";
+  EXPECT_GT(meshes, 1500) << "too few of the random meshes are in order";
 }
 
-/// Two passes fold nowhere if each one rises along all of its scanlines. In the order rows first, the source's y is the
-/// place between the passes: it must rise down every output column; and among output places with the same y between,
-/// the source's x must rise with x. Differences of a map would not do: where it shears across a kink, they turn over
-/// though the map does not.
+/// Two passes have no fold if each one rises along all of its scanlines. With rows first, the source's y is the place
+/// between the passes and must rise down every output column. Among output places with the same y between the passes,
+/// the source's x must rise with x. Differences of a map are no test: where the map shears across a kink, they change
+/// sign although the map does not fold.
 void expect_injective(const MeshWarp& warp, cv::Size size, Random& random) {
   const bool turned = warp.order() == PassOrder::kColumnsFirst;
   const double width = turned ? size.height : size.width, height = turned ? size.width : size.height;
@@ -246,7 +246,7 @@ void expect_injective(const MeshWarp& warp, cv::Size size, Random& random) {
   }
 }
 
-TEST(MeshWarp, NoFoldAppearsThatTheVerticesDoNotHave) {
+TEST(MeshWarp, FoldsOnlyIfTheVerticesFold) {
   int meshes = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -302,7 +302,7 @@ TEST(MeshWarp, VerticesGoToTheirPlaces) {
   }
 }
 
-TEST(MeshWarp, BothOrdersAgreeWhereColumnsAndRowsMoveApart) {
+TEST(MeshWarp, BothOrdersAgreeIfColumnsAndRowsMoveIndependently) {
   Random random(5);
   const cv::Size size(60, 50);
   Mesh from = uniform_mesh(6, 5, outline_of(size)), to = from;
@@ -313,7 +313,7 @@ TEST(MeshWarp, BothOrdersAgreeWhereColumnsAndRowsMoveApart) {
     for (int column = 0; column < 6; ++column)
       to.at(column, row) += cv::Point2d(dx[static_cast<std::size_t>(column)], dy[static_cast<std::size_t>(row)]);
   Image image = random_image(size, 5);
-  for (Pixel& pixel : image) pixel[3] = 1;  // alpha is kept in [0, 1] after each pass, which would tell them apart
+  for (Pixel& pixel : image) pixel[3] = 1;  // alpha is clamped after each pass, which would make them differ
   const Image rows = MeshWarp(from, to, {MeshSpline::kMonotone, PassOrder::kRowsFirst}).apply(image, size);
   const Image columns = MeshWarp(from, to, {MeshSpline::kMonotone, PassOrder::kColumnsFirst}).apply(image, size);
   EXPECT_LT(largest_difference(rows, columns, {{0, 0}, size}), 2e-5);
@@ -347,7 +347,7 @@ TEST(MeshWarp, AutoTakesTheOrderThatKeepsMoreArea) {
   EXPECT_EQ(area_lost(even, sheared({0, 0, 90, 90}, 3), PassOrder::kRowsFirst), 0);
 }
 
-TEST(MeshWarp, FoldsAreSquashedNotMirrored) {
+TEST(MeshWarp, FoldedPartsVanishAndAreNotMirrored) {
   const cv::Size size(60, 50);
   Image ramp(size);
   for (int y = 0; y < size.height; ++y)
@@ -359,8 +359,8 @@ TEST(MeshWarp, FoldsAreSquashedNotMirrored) {
     Mesh folded = even;
     for (int column = 1; column < 6; ++column)
       folded.at(column, 0).x = folded.at(column, 1).x = random.between(0, size.width);
-    // Along a row a ramp stays a ramp: it may stand still or leap, where the cubic rings a little, but never comes
-    // back.
+    // Along a row, a ramp stays a ramp: it may stand still or jump (where the cubic rings a little), but it never
+    // falls.
     const bool forth = seed % 2 == 0;
     const Image bent = MeshWarp(forth ? even : folded, forth ? folded : even, {kSplines[seed % 3], PassOrder::kAuto})
                            .apply(ramp, size);
@@ -394,7 +394,7 @@ TEST(MeshWarp, TakesMeshesAndImagesOfEverySize) {
   }
 }
 
-TEST(MeshWarp, ApplyTakesItsColoursFromWhereTheMapPoints) {
+TEST(MeshWarp, ApplySamplesThePositionsOfTheMap) {
   const cv::Size size(120, 100);
   const auto value = [](double x, double y) { return 0.5 + 0.3 * std::sin(x / 11) * std::cos(y / 9); };
   Image image(size);
@@ -431,7 +431,7 @@ TEST(MeshWarp, LinearIsStraightBetweenVertices) {
   EXPECT_GT(monotone.source_of({10, 20}).y, 20.0 / 4 * 0.4);
 }
 
-TEST(MeshWarp, RefusesWhatIsNoMesh) {
+TEST(MeshWarp, RefusesInvalidMeshes) {
   const Mesh good = uniform_mesh(4, 3, {0, 0, 10, 10});
   Mesh nan = good, few = good, far = good;
   nan.at(1, 1).x = std::nan("");
@@ -446,7 +446,7 @@ TEST(MeshWarp, RefusesWhatIsNoMesh) {
   EXPECT_THROW(MeshWarp(good, good).apply(Image(), {10, 10}), std::invalid_argument);
 }
 
-TEST(MeshValues, AreLinearInEvenMeshesAndGoOnOutside) {
+TEST(MeshValues, AreLinearInUniformMeshesAndContinueOutside) {
   const Mesh mesh = uniform_mesh(5, 4, {10, 10, 40, 30});
   std::vector<double> values;
   for (const cv::Point2d& vertex : mesh.vertices) values.push_back(0.01 * vertex.x + 0.002 * vertex.y);

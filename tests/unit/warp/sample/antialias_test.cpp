@@ -1,5 +1,5 @@
-// Sampling over footprints: the kernel against the reference, on every instruction set that this machine runs, and what
-// holds for any map.
+// Sampling over footprints: the kernel against the reference on every instruction set that this machine runs, and
+// properties for any map.
 
 #include "warp/sample/antialias.h"
 
@@ -43,8 +43,8 @@ class CaseMaker {
     return result;
   }
 
-  /// Affine and a little curved, around a point of the source: source pixels per output pixel up to `most` in one
-  /// direction, in the other anything down to a fold.
+  /// A slightly curved affine map around a point of the source: up to `most` source pixels per output pixel in one
+  /// direction, and anything down to a fold in the other.
   Map map(cv::Size size, cv::Size source, double most, double most_bend = 0.01) {
     const double u = uniform(0, 7);
     const double v = uniform(0, 7);
@@ -89,7 +89,7 @@ bool same_bytes(const Image& a, const Image& b) {
   return true;
 }
 
-/// Infinite if anything is not a number.
+/// Infinite if any value is NaN.
 double worst_difference(const Image& a, const Image& b) {
   double worst = 0;
   for (int y = 0; y < a.rows; ++y) {
@@ -204,10 +204,10 @@ TEST_P(Antialias, AlphaStaysCoverage) {
     ASSERT_TRUE(pixel[3] >= 0 && pixel[3] <= 1) << pixel;
     least = std::min(least, pixel[0]);
   }
-  EXPECT_LT(least, -0.01F) << "colour is expected to undershoot here, or the test shows nothing";
+  EXPECT_LT(least, -0.01F) << "colour must undershoot here, or the test proves nothing";
 }
 
-TEST(AntialiasMaps, APositionThatIsNoneDoesNotSpoilItsNeighbours) {
+TEST(AntialiasMaps, ANonFinitePositionDoesNotSpoilItsNeighbours) {
   constexpr unsigned kSeed = 10;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CaseMaker make(kSeed);
@@ -234,8 +234,8 @@ TEST(AntialiasMaps, APositionThatIsNoneDoesNotSpoilItsNeighbours) {
   }
 }
 
-/// A row that was a band of its own would know nothing of what happens across it.
-TEST(AntialiasMaps, TheLastRowIsLikeTheOthersWhateverTheHeight) {
+/// A single row as a band would have no differences across rows.
+TEST(AntialiasMaps, TheLastRowIsLikeTheOthersForAnyHeight) {
   CaseMaker make(3);
   const Image source = make.image({64, 256});
   Map map(kSampleBand + 9, 40);
@@ -250,7 +250,7 @@ TEST(AntialiasMaps, TheLastRowIsLikeTheOthersWhateverTheHeight) {
   }
 }
 
-TEST(AntialiasMaps, ThreadsDontMatter) {
+TEST(AntialiasMaps, GivesTheSameBytesForAnyNumberOfThreads) {
   constexpr unsigned kSeed = 11;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CaseMaker make(kSeed);
@@ -267,7 +267,7 @@ TEST(AntialiasMaps, ThreadsDontMatter) {
   set_threads(0);
 }
 
-TEST(AntialiasMaps, NothingPopsAsAMapZoomsAndPans) {
+TEST(AntialiasMaps, ColoursChangeSmoothlyAsAMapZoomsAndPans) {
   constexpr unsigned kSeed = 12;
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CaseMaker make(kSeed);
@@ -284,8 +284,8 @@ TEST(AntialiasMaps, NothingPopsAsAMapZoomsAndPans) {
     }
     return map;
   };
-  // A step moves the farthest pixel by 0.24 px, most of it by turning. Noise changes by up to 2 from one pixel to the
-  // next, and the slope of the sharpest kernel is little above 1 per pixel.
+  // A step moves the farthest pixel by 0.24 px, mostly by rotation. Noise changes by up to 2 from one pixel to the
+  // next, and the slope of the sharpest kernel is slightly above 1 per pixel.
   constexpr double kStep = 0.001;
   for (const Filter filter : kFilters) {
     Image before;

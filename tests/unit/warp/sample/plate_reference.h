@@ -1,6 +1,6 @@
 #pragma once
-// The zone plate of 2048 x 2048 px reduced to 1024 x 1024 by a radial map, and what it should look like: the picture
-// and the map are known at every point. For the test of sampling's quality and its benchmark.
+// The zone plate of 2048 x 2048 px reduced to 1024 x 1024 by a radial map, and the correct result: picture and map have
+// known values at every point. For the quality test and the benchmark of sampling.
 
 #include <cmath>
 #include <numbers>
@@ -47,7 +47,7 @@ class PlateReduction {
   }
 
  private:
-  /// A separable kernel that reaches `radius` output px, normalised.
+  /// A normalised, separable kernel with a radius of `radius` output px.
   template <typename Kernel>
   static std::vector<ReferencePixel> references(int stride, int samples_per_pixel, double radius,
                                                 const Kernel& kernel) {

@@ -1,5 +1,5 @@
-// Colours at points: the kernel against its reference on every instruction set that this machine runs. What the colours
-// should be is tested in sample_test.cpp.
+// Colours at points: the kernel against its reference on every instruction set that this machine runs. sample_test.cpp
+// tests that the colours are right.
 
 #include "warp/sample/reconstruct.h"
 
@@ -47,7 +47,7 @@ class CaseMaker {
     return result;
   }
 
-  /// Inside, on centres and edges, around, far away, nowhere.
+  /// Inside, on centres and edges, around, far away, or NaN.
   float coordinate(int size, bool inside) {
     constexpr std::array kHostile = {kNan, kInfinity, -kInfinity, 3.4e38F, -3.4e38F, 3e9F, -1e-40F, -0.0F};
     const float end = static_cast<float>(size);
@@ -67,7 +67,7 @@ class CaseMaker {
     }
   }
 
-  /// Rows of which most positions are hostile, few, or none.
+  /// Rows with many, few or no hostile positions.
   Positions positions(std::size_t count, cv::Size size) {
     const float plain = std::array{0.0F, 0.97F, 1.0F}[static_cast<std::size_t>(integer(0, 2))];
     Positions result;

@@ -1,4 +1,4 @@
-// How true antialiased sampling is: a zone plate, reduced by a map that does so unevenly, against the truth.
+// The accuracy of antialiased sampling: a zone plate, unevenly reduced by a map, against the exact result.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace morphkit::warp {
 namespace {
 
-constexpr int kStride = 7;  // of the pixels that are compared with the truth
+constexpr int kStride = 7;  // between pixels that are compared
 
 PlateQuality quality(Filter filter, const std::vector<ReferencePixel>& references) {
   const Image out = sample(PlateReduction::source(), PlateReduction::map(), {filter, Border::kClamp});
@@ -43,7 +43,7 @@ TEST(SampleQuality, MitchellKeepsThePassbandAndDropsTheRest) {
   EXPECT_GE(whole, 24);
 }
 
-TEST(SampleQuality, APointIsNot) {
+TEST(SampleQuality, APointSampleIsFarFromTheMean) {
   const PlateQuality bicubic = quality(Filter::kBicubic, PlateReduction::box_references(kStride));
   EXPECT_LE(bicubic.alias_zone, 12);
 }

@@ -17,7 +17,7 @@
 
 namespace morphkit::warp {
 
-// Found by GoogleTest, for messages.
+// GoogleTest calls it for messages.
 void PrintTo(const SampleOptions& options, std::ostream* out) {
   *out << "filter " << static_cast<int>(options.filter) << ", border " << static_cast<int>(options.border);
 }
@@ -43,7 +43,7 @@ double kernel_weight(Filter filter, double d) {
   return 0;
 }
 
-/// Pixel of an image continued without end by the border's rule.
+/// A pixel of an image that continues without end by the rule of the border.
 cv::Vec4d continued(const Image& source, double x, double y, Border border) {
   const auto wrap = [border](double i, int size) {
     if (border == Border::kClamp) return std::clamp(i, 0.0, size - 1.0);
@@ -132,7 +132,7 @@ bool same_bytes(const Image& a, const Image& b) {
 
 class SampleWith : public testing::TestWithParam<SampleOptions> {};
 
-/// Filters that know nothing of the positions around.
+/// Filters that ignore neighbouring positions.
 class PointSampleWith : public testing::TestWithParam<SampleOptions> {};
 
 std::vector<SampleOptions> all_options(std::span<const Filter> filters) {
@@ -164,7 +164,7 @@ TEST_P(PointSampleWith, AgreesWithTheSpecification) {
       for (int x = 0; x < map.cols; ++x) {
         const cv::Vec4d expected = reference(source, map(y, x), GetParam());
         for (int c = 0; c < 4; ++c) {
-          // Written so that NaN fails.
+          // In this form NaN fails.
           ASSERT_TRUE(std::abs(result(y, x)[c] - expected[c]) <= kTolerance)
               << result(y, x)[c] << " is not " << expected[c] << " at " << map(y, x) << " of " << source.size();
         }
@@ -179,7 +179,7 @@ TEST_P(SampleWith, IdentityCopiesEveryBit) {
   std::mt19937 random(kSeed);
   for (int round = 0; round < 50; ++round) {
     Image source = random_image(random_size(random), random);
-    // Values that arithmetic would spoil: negative zero, denormal, huge, an alpha beyond 1.
+    // Values that arithmetic would change: negative zero, denormal, huge, an alpha beyond 1.
     source(0, 0) = {-0.0F, 1e-42F, 3e38F, 1.5F};
     EXPECT_TRUE(same_bytes(sample(source, identity(source.size()), GetParam()), source));
   }
@@ -217,7 +217,7 @@ TEST_P(PointSampleWith, ConstantStaysConstantInside) {
   std::mt19937 random(kSeed);
   const Pixel color(0.7F, 1.0F, 0.123F, 1.0F);
   const Image source(23, 31, color);
-  // Two pixels from the edge no tap is outside.
+  // Two pixels from the edge, all taps are inside.
   std::uniform_real_distribution<float> x(2, 29);
   std::uniform_real_distribution<float> y(2, 21);
   Map map(40, 40);
@@ -271,7 +271,7 @@ TEST(Sample, BilinearStaysBetweenItsNeighbours) {
 }
 
 TEST(Sample, BicubicReproducesQuadraticsInside) {
-  // Third order accuracy (Keys, 1981, section V): parabolas come out exactly, up to rounding.
+  // Third order accuracy (Keys, 1981, section V): parabolas are exact, up to rounding.
   const auto parabola = [](double x, double y) { return 0.01 * x * x - 0.02 * x * y + 0.3 * y - 0.015 * y * y; };
   Image source(30, 30);
   for (int y = 0; y < 30; ++y) {
@@ -296,7 +296,7 @@ TEST(Sample, BicubicAlphaStaysCoverage) {
   for (int i = 0; i < 160; ++i) map(0, i) = {static_cast<float>(i) / 10.0F, 8.3F};
   const Image result = sample(source, map, {Filter::kBicubic, Border::kClamp});
   const auto [low, high] = std::ranges::minmax(result, {}, [](const Pixel& p) { return p[0]; });
-  EXPECT_LT(low[0], -0.01F) << "colour is expected to undershoot here, or the test shows nothing";
+  EXPECT_LT(low[0], -0.01F) << "colour must undershoot here, or the test proves nothing";
   EXPECT_GT(high[0], 1.01F);
   for (const Pixel& pixel : result) ASSERT_TRUE(pixel[3] >= 0 && pixel[3] <= 1) << pixel;
 }
@@ -334,7 +334,7 @@ TEST(Sample, MirrorReflectsAtTheEdge) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::mt19937 random(kSeed);
   const Image source = random_image({13, 11}, random);
-  // Multiples of 1/8 stay exact when reflected; 1/16 off the pixel edges, where nearest has no mirror image.
+  // Multiples of 1/8 stay exact when reflected; 1/16 off the pixel edges, where kNearest has no mirror image.
   std::uniform_int_distribution<int> eighths(0, 13 * 8 - 1);
   for (const Filter filter : kPointFilters) {
     for (int round = 0; round < 200; ++round) {
