@@ -23,7 +23,8 @@ struct StretchRange {
 };
 
 /// det J per output pixel, central differences inside, one-sided at the border. An axis of a single pixel has no
-/// difference: J is the identity along it. NaN where the map or a neighbour in use is not finite. Same size as the map.
+/// difference: J is the identity along it. NaN where the map or a neighbour in use is not finite.
+/// Same size as the map.
 cv::Mat1f jacobian_determinant(const Map& map);
 
 /// Singular values of J per output pixel, (larger, smaller). Size of map; NaN as above.

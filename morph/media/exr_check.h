@@ -1,6 +1,5 @@
 #pragma once
-// Checks the headers of EXR files before OpenEXR reads them: OpenEXR allocates the size that an attribute claims, then
-// reads.
+// Checks the headers of EXR files before OpenEXR, which allocates the size that an attribute claims, then reads.
 
 #include <filesystem>
 

@@ -46,8 +46,7 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// OpenImageIO's error messages of the object and of the thread. Both are cleared, so that the next file does not
-/// inherit them.
+/// OpenImageIO's error messages of the object and of the thread. Both are cleared, so the next file inherits none.
 std::string drain(const OIIO::ImageInput* input) {
   std::string text = input != nullptr ? input->geterror() : "";
   const std::string of_thread = OIIO::geterror();

@@ -122,8 +122,7 @@ class SpawnPlan {
     check(posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO), "dup2");
   }
 
-  /// Gives the child its own process group, no blocked signals, and default actions for signals that we may ignore or
-  /// block.
+  /// Gives the child its own process group, no blocked signals, and default actions for signals that we may ignore.
   void set_signals() {
     sigset_t none;
     sigset_t usual;
@@ -228,8 +227,7 @@ std::string Process::Exit::text() const {
 Process::Process(const std::vector<std::string>& arguments) {
   Pipe input = make_pipe();
   Pipe errors = make_pipe();
-  // A frame is far larger than the usual 64 KiB; a larger pipe means fewer wake-ups. The system may refuse, which is
-  // harmless.
+  // A frame is far larger than the usual 64 KiB; a larger pipe means fewer wake-ups. A refusal is harmless.
   ::fcntl(input.write.get(), F_SETPIPE_SZ, 1 << 20);
   // The thread starts before the child: if it cannot start, there is no child to clean up.
   drain_ = std::make_unique<Drain>(std::move(errors.read));

@@ -9,8 +9,7 @@
 
 namespace morphkit::media {
 
-/// Uncompressed pixel layouts. RGB is full range, Y'CbCr is BT.709 limited range; colour is unpremultiplied, alpha is
-/// full range.
+/// Uncompressed pixel layouts. RGB and alpha are full range, Y'CbCr is BT.709 limited range. Unpremultiplied.
 enum class RawFormat {
   kRgb24,      ///< 8 bit
   kRgba,       ///< 8 bit, unpremultiplied

@@ -37,8 +37,7 @@ void append(Arguments& arguments, std::initializer_list<std::string_view> more) 
 // Colour tags for the encoder and the file: BT.709 primaries and the sRGB curve, which the codes really have
 // (warp/image/color.h). A tag for BT.709's curve would be wrong: players that manage colour (mpv, macOS) would show the
 // video darker than the same frame as PNG. Other players ignore both tags.
-// The filter tags the frames, for encoders that read tags there; the options tag the encoder's context and the
-// container.
+// The filter tags the frames, which some encoders read; the options tag the encoder's context and the container.
 constexpr std::string_view kYuvTags =
     "setparams=range=tv:color_primaries=bt709:color_trc=iec61966-2-1:colorspace=bt709";
 constexpr std::string_view kRgbTags = "setparams=range=pc:color_primaries=bt709:color_trc=iec61966-2-1:colorspace=gbr";

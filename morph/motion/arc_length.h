@@ -26,8 +26,7 @@ class ArcLength {
   double parameter_at(double s) const;
 
   const Curve& curve() const noexcept { return curve_; }
-  /// From (0, 0) to (segments, total). It holds every joint and is dense where the speed |Q'| changes fast, as at
-  /// cusps.
+  /// From (0, 0) to (segments, total). Holds every joint; dense where the speed |Q'| changes fast, as at cusps.
   const std::vector<Node>& table() const noexcept { return table_; }
 
  private:

@@ -31,8 +31,7 @@ class Curve {
 
   /// The point at u, which is clamped to [0, segments()]; at whole u exactly the point on the curve.
   cv::Point2d at(double u) const;
-  /// dQ/du; at a joint, the derivative of the segment that begins there. Zero at a cusp and on a segment without
-  /// length.
+  /// dQ/du; at a joint, of the segment that begins there. Zero at a cusp and on a segment without length.
   cv::Point2d derivative(double u) const;
 
  private:

@@ -23,8 +23,9 @@ struct LineWeight {
   double a = 1;  ///< px, [0, 1e9]; 0: pixels on the line follow it exactly
   double b = 2;  ///< [0, 8]; how fast the pull falls with distance
   double p = 0;  ///< [0, 1]; how much longer lines pull more
-  /// [1e-6, 1e6]; one output pixel counts as `unit` px in `a`, lengths and distances. It is 1 except for a reduced or
-  /// magnified view of another frame: then `a` is in px of that frame, and the weights are the same as there.
+  /// [1e-6, 1e6]; one output pixel counts as `unit` px in `a`, lengths and distances.
+  /// It is 1 except for a reduced or magnified view of another frame: then `a` is in px of that frame, and the weights
+  /// are the same as there.
   double unit = 1;
 };
 
@@ -72,8 +73,9 @@ class LineField {
   /// Accuracy: class T, within kFieldTolerancePx (kExact) or kAdaptiveTolerancePx (kAdaptive) of `reference` wherever
   /// |position| < 2^15 px (2^16 px) and equal to it everywhere else. Pixels on a line with a = 0, and pixels with too
   /// large a bound on their float error, are taken from the reference. The result for a pixel does not depend on the
-  /// requested area. Thread-safe. Cost: whole tiles of kFieldTile, so areas should be multiples of that; kExact
-  /// O(pixels x lines); kAdaptive O(pixels x lines near them + tiles x lines); see tests/bench/field_bench.cpp.
+  /// requested area. Thread-safe.
+  /// Cost: whole tiles of kFieldTile, so areas should be multiples of that; kExact O(pixels x lines); kAdaptive
+  /// O(pixels x lines near them + tiles x lines); see tests/bench/field_bench.cpp.
   void evaluate(cv::Rect area, FieldAccuracy accuracy, std::span<Map> positions, cv::Mat1f* values = nullptr) const;
 
   /// The specification: the same in plain scalar double arithmetic.

@@ -108,8 +108,7 @@ void collect(NodeLanes<kChannels, kSide>& nodes, NodeSums<kChannels, kSide>& sum
   nodes = {};
 }
 
-/// Sums over all lines at the nodes of a grid. `gates(group)` gives the values to use as root or scale of the group's
-/// lines.
+/// Sums over all lines at the nodes of a grid. `gates(group)` gives the root or scale of the group's lines.
 template <int kChannels, size_t kSide, class Gates>
 NodeSums<kChannels, kSide> sum_at_nodes(const FieldTables& tables, const Tile<kChannels>& tile,
                                         const View<kChannels>& view, const Gates& gates,

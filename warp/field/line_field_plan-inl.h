@@ -80,8 +80,7 @@ HWY_INLINE V rounding_error(D d, V distance, V length, V reach, V b, V share, V 
 /// smallest over the tile; the constant is an upper bound on measured errors. A channel that changes over the tile adds
 /// the weight's fourth derivative times its slope. At the perpendiculars through the ends of a line, the second
 /// derivative of its distance jumps by 1 / distance; the error there is of second order.
-/// @param size  px, the largest difference of a channel from the mean. @param turn  px, the part of it that comes from
-/// its slopes.
+/// @param size  px, the largest difference of a channel from the mean. @param turn  px, the part of it from its slopes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V interpolation_error(D d, V distance, V a, V b, V smooth, V before, V after, V size, V turn) {
   const auto set = [d](double value) { return hn::Set(d, static_cast<float>(value)); };
@@ -141,8 +140,7 @@ inline float sum_below(const FieldTables& tables, const PerLine& errors, float l
   return hn::GetLane(hn::SumOfLanes(d, sum));
 }
 
-/// The limit below which lines are far: the sum of their interpolation errors stays within the tolerance. A power of 2,
-/// or 0.
+/// Lines with an interpolation error below this limit are far: their sum is within the tolerance. A power of 2, or 0.
 inline float far_limit(const FieldTables& tables, const Plan& plan, double tolerance_px) {
   constexpr int kLeast = -40, kMost = 0;
   const auto power_of_two = [](int exponent) {
@@ -171,8 +169,7 @@ inline void treat_all_carefully(const FieldTables& tables, Plan& plan) {
   plan.bound = 0;
 }
 
-/// Chooses the treatment of every line of a group. @return  a bound on the error of all plain and far lines together,
-/// px.
+/// Chooses the treatment of every line of a group. @return  a bound on the error of its plain and far lines, px.
 inline double plan_group(const FieldTables& tables, size_t number, float limit, double tolerance, Plan& plan) {
   const hn::CappedTag<float, kLineChunk> d;
   const hn::RebindToSigned<decltype(d)> di;

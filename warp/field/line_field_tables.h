@@ -30,8 +30,7 @@ inline constexpr int kFieldNodes = 5;
 inline constexpr double kLeastLog2 = -1e4;
 
 /// Chebyshev nodes over a tile's pixel centres, as offsets from the middle pixel, and the Lagrange polynomials of the
-/// nodes at every pixel centre: from values `value[j]` at the nodes, the value at pixel k is sum over j of basis[j][k]
-/// value[j].
+/// nodes at every pixel centre: with `value[j]` at the nodes, the value at pixel k is sum(basis[j][k] value[j]).
 struct NodeTable {
   float offset[kFieldNodes];
   alignas(64) float basis[kFieldNodes][kFieldTile];

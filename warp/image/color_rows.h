@@ -2,7 +2,8 @@
 // Rows of pixels as rows of codes, for files and encoders: the sRGB curve, unpremultiplied alpha, luma and colour
 // differences.
 //
-// Everything here is of class E: the vector kernels give the same bits as the reference on every instruction set.
+// Everything here is of class E: the vector kernels give the same bits as the reference on every instruction
+// set.
 
 #include <cstddef>
 #include <cstdint>

@@ -164,7 +164,8 @@ Image resample_columns(const Image& source, const MeshPass& pass, Border border,
 
 namespace detail {
 
-/// Both passes, in a frame where the first pass moves pixels along rows. For kColumnsFirst, the meshes are transposed.
+/// Both passes, in a frame where the first pass moves pixels along rows. For kColumnsFirst, the meshes
+/// are transposed.
 class MeshTables {
  public:
   MeshTables(Mesh from, Mesh to, const MeshWarpOptions& options)

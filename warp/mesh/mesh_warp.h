@@ -57,8 +57,7 @@ class MeshWarp {
   PassOrder order() const noexcept;  ///< the order in use, never kAuto
 
   /// @param source  linear, premultiplied RGBA; has the size of the outline of `from`.
-  /// @param border  kTransparent: transparent outside the outline of `to`, with an antialiased edge; kClamp: the colour
-  ///                of the edge continues.
+  /// @param border  kTransparent: transparent outside the outline of `to`, antialiased; kClamp: the edge continues.
   /// @return        image of `size`.
   /// @throws std::invalid_argument if `source` is empty or differs in size from the outline of `from`, or if `border`
   /// is kMirror.

@@ -114,8 +114,7 @@ double ramp(double value, float begin, float end) {
   return way * way * (3 - 2 * way);
 }
 
-/// Distance of the points from the middle. Their variance is that of a square of side sigma, less that of a source
-/// pixel.
+/// Distance of the points from the middle. Their variance: a square's of side sigma, less a source pixel's.
 double point_distance(double sigma) {
   const double side = std::min(sigma, static_cast<double>(kSumEnd));
   const double variance = (side * side - static_cast<double>(kOwnSquare)) / 12;

@@ -8,8 +8,9 @@
 //   pixel = sum k(u) k(v) source / sum k(u) k(v).
 //
 // The singular values of J are the source pixels per output pixel along the two axes of the footprint. They are clamped
-// to [1, kMostStretch]: a footprint is never smaller than a source pixel, and its cost is bounded. Below kRampBegin a
-// pixel is a point, read by bicubic interpolation; from kRampBegin to kRampEnd it changes smoothly into its footprint.
+// to [1, kMostStretch]: a footprint is never smaller than a source pixel, and its cost is bounded.
+// Below kRampBegin a pixel is a point, read by bicubic interpolation; from kRampBegin to kRampEnd it changes smoothly
+// into its footprint.
 //
 // An area that shrinks by less than kSumBegin is not summed: a sum costs twenty times as much as a point. Points of
 // equal weight replace it. In every direction they have the variance of the area's square, less that of a source pixel.
@@ -44,8 +45,7 @@ inline constexpr float kFourPoints = 0.5F;
 /// nothing would be best. Half serves both.
 inline constexpr float kOwnSquare = 0.5F;
 
-/// Positions are clamped to this magnitude, px, so that the fourth powers of their differences stay in the range of a
-/// float.
+/// Positions are clamped to this magnitude, px, so fourth powers of their differences stay in the range of a float.
 inline constexpr float kFarthestPosition = 0x1p24F;
 
 /// Bound on the error of antialias_band against the reference, for pixels of magnitude 1.

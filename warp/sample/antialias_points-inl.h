@@ -27,8 +27,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Pixels of a row with points read together.
 constexpr size_t kSegment = 8 * kBlock;
 
-/// Distance of the points from the middle. Their variance is that of a square of side sigma, less that of a source
-/// pixel.
+/// Distance of the points from the middle. Their variance: a square's of side sigma, less a source pixel's.
 HWY_INLINE FloatVec point_distance(FloatVec sigma) {
   const Floats d;
   const FloatVec side = hn::Min(sigma, hn::Set(d, kSumEnd));

@@ -45,8 +45,7 @@ struct Bicubic {
   float across(const float (&tap)[kTaps]) const {
     return (w0_ * (tap[0] - tap[1]) + w2_ * (tap[2] - tap[1])) + (tap[1] + w3_ * (tap[3] - tap[1]));
   }
-  /// The negative lobes overshoot. Alpha outside [0, 1] has no meaning and is clamped; colours outside have one. NaN
-  /// stays.
+  /// The negative lobes overshoot. Alpha outside [0, 1] has no meaning and is clamped; colours stay. NaN stays.
   static void finish(Pixel& pixel) { pixel[3] = std::min(std::max(pixel[3], 0.0F), 1.0F); }
 
  private:

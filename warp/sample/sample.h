@@ -5,9 +5,8 @@
 
 namespace morphkit::warp {
 
-/// How colours are found. The first three read a point and ignore the map around it: they alias where the map shrinks
-/// the picture. The others take the mean over the source area under the output pixel, and are kBicubic where nothing
-/// shrinks.
+/// How colours are found. The first three read a point and alias where the map shrinks the picture. The others take the
+/// mean over the source area under the output pixel, and are kBicubic where nothing shrinks.
 enum class Filter {
   kNearest,
   kBilinear,
@@ -36,8 +35,7 @@ struct SampleOptions {
 /// @throws std::invalid_argument if either is empty.
 /// Accuracy: bit-exact where the map hits a pixel centre (for kArea, kMitchell and kLanczos: if it does not shrink the
 /// picture there); constants are exact; alpha is clamped to [0, 1]. Cost: O(pixels x taps), parallel over rows;
-/// footprints cost in proportion to the source area that they cover. See tests/bench/sample_bench.cpp and
-/// quality_bench.cpp.
+/// footprints cost in proportion to their area. See tests/bench/sample_bench.cpp and quality_bench.cpp.
 Image sample(const Image& source, const Map& map, const SampleOptions& options = {});
 
 /// Rows of a frame that are sampled together. Bands begin at multiples of this.
