@@ -16,12 +16,12 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-/// Inside single quotes of sh.
+/// `text` for single quotes in sh.
 std::string quoted(const std::string& text) {
   return fmt::format("'{}'", replaced(text, "'", "'\\''"));
 }
 
-/// Branches of bash's "what follows this option": its choices, a file name, or nothing to propose.
+/// Branches of bash's case for the value of an option: its choices, a file name, or no proposals.
 std::string bash_value_branches(const CommandShape& command, const std::string& key) {
   std::string text;
   for (const OptionShape& option : command.options) {

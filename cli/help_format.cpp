@@ -28,7 +28,7 @@ class HelpFormatter : public CLI::Formatter {
            make_subcommands(app, mode) + "\n" + make_footer(app);
   }
 
-  /// The name of the value alone: choices stand in the description, in words.
+  /// The name of the value alone: the description lists the choices in words.
   std::string make_option_opts(const CLI::Option* option) const override {
     if (option->get_type_size() == 0) return "";
     const std::string type = option->get_type_name();

@@ -1,5 +1,5 @@
 #pragma once
-// How help texts look: the command's own options first, what all commands share last, lines of 80 columns.
+// The format of help texts: the command's own options first, common options last, lines of 80 columns.
 
 #include <memory>
 #include <string>
@@ -14,7 +14,7 @@ inline constexpr const char* kCommonGroup = "Common options";
 
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// Breaks `text` at spaces into lines of at most `columns` characters (a longer word stays whole).
+/// Breaks `text` at spaces into lines of at most `columns` characters. A longer word stays whole.
 std::string wrapped(const std::string& text, std::size_t columns);
 
 }  // namespace morphkit::cli

@@ -12,11 +12,11 @@
 namespace morphkit::cli {
 namespace {
 
-/// When the first signal came, ns of the monotonic clock; 0: none has.
+/// The time of the first signal, ns of the monotonic clock; 0: none yet.
 std::atomic<std::int64_t> first_signal_ns{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler may only use lock-free atomics");
 
-/// Who signals the process and then its group, as `timeout` does, means one request.
+/// `timeout` signals the process and then its group; that is one request.
 constexpr std::int64_t kOneRequestNs = 500'000'000;
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};

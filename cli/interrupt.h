@@ -6,13 +6,13 @@
 
 namespace morphkit::cli {
 
-/// Installs the handlers. A signal that the caller had ignored (nohup, a shell's background job) stays ignored.
+/// Installs the handlers. A signal that the caller ignores (nohup, a shell's background job) stays ignored.
 void install_interrupt_handlers();
 
-/// Whether one of the signals has arrived. Any thread, any time.
+/// Whether one of the signals has arrived. Thread-safe.
 bool interrupted() noexcept;
 
-/// @throws Error kInterrupted if one of the signals has arrived. @param what  has become of the work: "nothing was
+/// @throws Error kInterrupted if one of the signals has arrived. @param what  the state of the work: "nothing was
 /// written".
 void stop_if_interrupted(const std::string& what);
 

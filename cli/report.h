@@ -1,5 +1,5 @@
 #pragma once
-// What a command has found, as JSON for machines. Its source is the only place in cli that knows a JSON library.
+// The result of a command as JSON for machines. Only report.cpp uses a JSON library in cli.
 
 #include <concepts>
 #include <cstdint>
@@ -23,7 +23,7 @@ class Report {
 
   static Report array();
 
-  /// Adds a member to an object (keys are not checked for being new).
+  /// Adds a member to an object. The key must be new; this is not checked.
   Report& set(std::string key, Report value);
   /// Adds an element to an array.
   Report& push(Report value);

@@ -56,7 +56,7 @@ void Output::flush() {
 }
 
 void Output::message(std::string_view text) {
-  // Nobody is left to tell if standard error is gone; the exit code remains.
+  // If standard error is closed, nobody can be told; the exit code remains.
   if (bar_drawn_) fmt::print(messages_, "\n");
   bar_drawn_ = false;
   std::fwrite(text.data(), 1, text.size(), messages_);

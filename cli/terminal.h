@@ -1,5 +1,5 @@
 #pragma once
-// What the person or the script at the other end sees: results on standard output; warnings, notes and progress on
+// The output of the program for people and scripts: results on standard output; warnings, notes and progress on
 // standard error.
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace morphkit::cli {
 
-/// How much is said besides results, warnings and errors.
+/// How much is printed besides results, warnings and errors.
 enum class Verbosity { kQuiet, kNormal, kVerbose };
 
 class Output {
@@ -20,16 +20,16 @@ class Output {
   Verbosity verbosity() const noexcept { return verbosity_; }
   void set_verbosity(Verbosity verbosity) noexcept { verbosity_ = verbosity; }
 
-  /// A result, as it is. @throws Error kIo if it cannot be written.
+  /// Prints a result unchanged. @throws Error kIo if it cannot be written.
   void print(std::string_view text);
-  /// A result and a newline.
+  /// Prints a result and a newline.
   void line(std::string_view text);
-  /// Brings out what `print` holds back. @throws Error kIo.
+  /// Writes everything that `print` has buffered. @throws Error kIo.
   void flush();
 
   void error(std::string_view text);    ///< "morphkit: error: text"
   void warning(std::string_view text);  ///< "morphkit: warning: text"; kQuiet does not silence it
-  void note(std::string_view text);     ///< what is good to know; not with kQuiet
+  void note(std::string_view text);     ///< useful information; not with kQuiet
   void detail(std::string_view text);   ///< only with kVerbose
 
   /// Whether messages go to a terminal that can redraw a line.
@@ -49,19 +49,19 @@ class Output {
 struct ProgressState {
   int done = 0;     ///< items finished in this run
   int skipped = 0;  ///< items that needed no work
-  int total = 0;    ///< items asked for
+  int total = 0;    ///< requested items
   double elapsed_s = 0;
 };
 
-/// "120/240 frames, 48.1 frames/s, 3 s left": rate and time left are of the items that needed work, and missing until
-/// there are any.
+/// "120/240 frames, 48.1 frames/s, 3 s left": rate and time left count only items that needed work. They are missing
+/// until there are such items.
 std::string progress_text(const ProgressState& state, std::string_view unit);
 
-/// Tells how a long job goes: a bar that is redrawn on a terminal, else a line at every tenth of the job (and once in
-/// half a minute), nothing with kQuiet.
+/// Shows the progress of a long job: a bar on a terminal, else a line at every tenth of the job (and once in half a
+/// minute), nothing with kQuiet.
 class ProgressBar {
  public:
-  /// @param unit  what is counted, in the plural: "frames".
+  /// @param unit  the counted unit in the plural: "frames".
   ProgressBar(Output& output, std::string unit);
   /// Ends the bar's line.
   ~ProgressBar();

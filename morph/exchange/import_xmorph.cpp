@@ -1,8 +1,8 @@
 // xmorph and gtkmorph: one .mesh file per side. "M2", the numbers of columns and rows, then a line for every vertex, x
-// fastest: x and y in tenths of a pixel, and perhaps a label. gtkmorph puts tags after them.
+// fastest: x and y in tenths of a pixel, and an optional label. gtkmorph puts tags after them.
 //
 // Their pixel 0 has its centre at 0 and a mesh reaches from the centre of the first pixel to that of the last, so 0 and
-// W - 1 are 0.5 and W - 0.5 here; vertices at the border then go on to the border of the picture, 0 and W.
+// W - 1 are 0.5 and W - 0.5 here; vertices at the border then move to the border of the picture, 0 and W.
 
 #include "morph/exchange/import_xmorph.h"
 
@@ -30,12 +30,12 @@ constexpr double kTenths = 10;      // units of the file in a pixel
 constexpr double kCentre = 0.5;     // of the first pixel here, 0 there
 constexpr double kRounding = 0.05;  // px: half a unit of the file
 
-/// The lines of a file, with what stands on them.
+/// The lines of a file and their words.
 class Lines {
  public:
   Lines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
 
-  /// The next line that is not blank, without its end and surrounding space; nothing at the end of the file.
+  /// The next line that is not blank, without its end and surrounding space; nullopt at the end of the file.
   std::optional<std::string_view> next() {
     while (!rest_.empty()) {
       const std::size_t end = rest_.find('\n');
@@ -47,10 +47,10 @@ class Lines {
     return std::nullopt;
   }
 
-  /// @throws Error kBadInput at the line that was read last.
+  /// @throws Error kBadInput at the last line read.
   [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::kBadInput, place(), message); }
 
-  /// "file:line" of the line that was read last.
+  /// "file:line" of the last line read.
   std::string place() const { return fmt::format("{}:{}", name_, std::max(number_, 1)); }
 
   int number() const noexcept { return number_; }
@@ -68,7 +68,7 @@ class Lines {
   int number_ = 0;
 };
 
-/// The words of a line; those after the first `most` are one word.
+/// The words of a line; everything after the first `most` words is one word.
 std::vector<std::string_view> words_of(std::string_view line, std::size_t most) {
   std::vector<std::string_view> words;
   while (!line.empty()) {
@@ -88,7 +88,7 @@ std::optional<T> number_in(std::string_view word) {
   return value;
 }
 
-/// The grid that the head promises; no vertices yet.
+/// The grid of the header, without vertices.
 warp::Mesh read_head(Lines& lines) {
   const auto magic = lines.next();
   if (!magic) lines.fail("the file is empty; expected a mesh of xmorph, which begins with \"M2\"");
@@ -121,7 +121,7 @@ cv::Point2d read_vertex(const Lines& lines, std::string_view line) {
         fmt::format("expected a vertex, \"x y\" or \"x y label\" in tenths of a pixel, found {}", json::shown(line)));
   }
   for (const double value : {*x, *y}) {
-    // Also refuses what is not a number.
+    // Also refuses NaN.
     if (!(std::abs(value) <= project::kMaxCoordinate * kTenths)) {
       lines.fail(fmt::format("the vertex {} is out of range; expected {} to {}", json::shown(line),
                              json::number_text(-project::kMaxCoordinate * kTenths),
@@ -131,7 +131,7 @@ cv::Point2d read_vertex(const Lines& lines, std::string_view line) {
   return {*x, *y};
 }
 
-/// Where things stood in a file.
+/// Places in a file.
 struct Places {
   std::string last_vertex;  ///< "file:line"
   int tags = 0;             ///< line of gtkmorph's first tag; 0: there is none
@@ -156,7 +156,7 @@ Places read_vertices(Lines& lines, warp::Mesh& mesh) {
   return places;
 }
 
-/// How far the farthest border vertex of a scaled mesh, in their convention, is from where it belongs, px.
+/// The largest distance of a border vertex of a scaled mesh, in xmorph's convention, from its right place, px.
 double border_distance(const warp::Mesh& mesh, cv::Size size) {
   double distance = 0;
   const auto look = [&](double found, double wanted) { distance = std::max(distance, std::abs(found - wanted)); };
@@ -171,11 +171,11 @@ double border_distance(const warp::Mesh& mesh, cv::Size size) {
   return distance;
 }
 
-/// From tenths of pixels of the picture that the mesh was drawn on, whose last pixel is the last vertex.
+/// Converts from tenths of pixels of the mesh's own picture; the last vertex is its last pixel.
 void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Places& places,
               std::vector<std::string>& remarks) {
   const cv::Point2d last = mesh.vertices.back();
-  // Less than a tenth of a pixel; also what would scale to infinity.
+  // Less than a tenth of a pixel; this also refuses values that would scale to infinity.
   if (last.x < 1 || last.y < 1) {
     throw Error(ErrorCode::kBadInput, places.last_vertex,
                 fmt::format("the last vertex, the lower right corner, is at ({}, {}); expected the size of a picture",
@@ -277,7 +277,7 @@ std::vector<std::string> export_xmorph(const project::Project& project, const Ex
       xmorph_mesh_text(side_mesh(mesh, mesh.vertices[project::kSource], output.source_size), output.source_size);
   const std::string destination = xmorph_mesh_text(
       side_mesh(mesh, mesh.vertices[project::kDestination], output.destination_size), output.destination_size);
-  // Both are complete before either takes its place.
+  // Both files are complete before one is put in place.
   AtomicFile source_file(output.files.at(0), output.overwrite);
   AtomicFile destination_file(output.files.at(1), output.overwrite);
   source_file.write(bytes_of(source));

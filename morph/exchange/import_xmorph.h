@@ -1,5 +1,5 @@
 #pragma once
-// The .mesh files of xmorph and gtkmorph. Internal to morph/project.
+// The .mesh files of xmorph and gtkmorph. Internal to morph/exchange.
 
 #include <string>
 #include <vector>
@@ -15,13 +15,13 @@ std::vector<std::string> import_xmorph(project::Project& project, const ImportIn
 std::vector<std::string> export_xmorph(const project::Project& project, const ExportOutput& output);
 
 /// @param text     contents of the file. @param name  for messages.
-/// @param size     of the picture that the mesh is brought to, px.
-/// @param remarks  what was assumed is added.
-/// @throws Error kBadInput "name:line: ...". Memory: what the text holds, not what it promises.
+/// @param size     of the picture to which the mesh is scaled, px.
+/// @param remarks  receives the assumptions.
+/// @throws Error kBadInput "name:line: ...". Memory: by the real contents, not by the counts in the header.
 warp::Mesh parse_xmorph_mesh(const std::string& text, const std::string& name, cv::Size size,
                              std::vector<std::string>& remarks);
 
-/// The other way. @pre size is at least 2 x 2.
+/// The inverse. @pre size is at least 2 x 2.
 std::string xmorph_mesh_text(const warp::Mesh& mesh, cv::Size size);
 
 }  // namespace morphkit::exchange

@@ -102,7 +102,7 @@ std::string word_at(const std::string& text, std::size_t byte) {
   return word;
 }
 
-/// What people usually did when JSON breaks at this byte.
+/// The usual mistake when JSON is invalid at this byte.
 std::string hint(const std::string& what, const std::string& text, std::size_t byte) {
   const auto says = [&](std::string_view part) { return what.find(part) != std::string::npos; };
   const char at = byte < text.size() ? text[byte] : ' ';
@@ -123,7 +123,7 @@ std::string hint(const std::string& what, const std::string& text, std::size_t b
   return "see the JSON syntax at json.org";
 }
 
-/// Builds the tree and refuses what a plain parser lets through: repeated keys, endless nesting, floods of values.
+/// Builds the tree and refuses things that a plain parser accepts: repeated keys, endless nesting, too many values.
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
   TreeBuilder(const std::string& text, const std::string& file) : text_(text), file_(file) {}
@@ -178,7 +178,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool open(Node node) {
-    // An open node is the last item of its parent, whose vector therefore does not move while it is open.
+    // An open node is the last item of its parent, so the parent's vector does not move while it is open.
     if (open_.size() >= kMaxDepth) {
       fail(open_pointer(), fmt::format("nested more than {} deep; a project never is", kMaxDepth));
     }
@@ -209,7 +209,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     }
     return result;
   }
-  /// Of the innermost open container, of itself or of the value that comes next in it.
+  /// The pointer of the innermost open container, or of the next value in it.
   std::string parent_pointer() const { return pointer(open_.size() - 1, false); }
   std::string open_pointer() const { return open_.empty() ? "" : parent_pointer(); }
   std::string next_pointer() const { return pointer(open_.size(), true); }
@@ -228,7 +228,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 Node parse(const std::string& text, const std::string& file) {
-  // The parser takes a zero byte for the end of the text and would ignore what follows.
+  // The parser treats a zero byte as the end of the text and would ignore the rest.
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
     throw Error(ErrorCode::kBadInput, text_place(text, file, zero), "a zero byte; this is not a text file");
   }
@@ -252,7 +252,7 @@ std::string shown(std::string_view value) {
   constexpr std::size_t kLongest = 48;
   const bool cut = value.size() > kLongest;
   value = value.substr(0, kLongest);
-  // A character is not cut in two.
+  // Do not cut a character in two.
   while (cut && !value.empty() && (static_cast<unsigned char>(value.back()) & 0xC0) == 0x80) value.remove_suffix(1);
   if (cut && !value.empty() && static_cast<unsigned char>(value.back()) >= 0xC0) value.remove_suffix(1);
   std::string result = "\"";

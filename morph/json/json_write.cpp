@@ -1,4 +1,4 @@
-// From a tree back to text, changing as little as possible of the text that it came from.
+// Writes a tree as text and changes as little as possible of the original text.
 
 #include <charconv>
 #include <cmath>
@@ -35,7 +35,7 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
-/// Walks text that is known to be valid JSON, beside the tree that was made of it.
+/// Walks valid JSON text together with its tree.
 class Locator {
  public:
   explicit Locator(const std::string& text) : text_(text) {}
@@ -91,8 +91,8 @@ class Writer {
  public:
   explicit Writer(const std::string& original) : original_(original) {}
 
-  /// @param indent  of the line that the value starts on.
-  /// @param column  where on that line it starts.
+  /// @param indent  of the line where the value starts.
+  /// @param column  where it starts on that line.
   std::string value(const Node& node, std::size_t indent, std::size_t column) const {
     if (!node.fresh) return node.is_container() ? spliced(node) : piece(node.begin, node.end);
     if (!node.is_container()) return scalar(node);
@@ -121,13 +121,13 @@ class Writer {
     }
   }
 
-  /// The original text with the items' own texts in their old places.
+  /// The original text with the new texts of the items in their old places.
   std::string spliced(const Node& node) const {
     std::string result;
     std::size_t position = node.begin;
     for (const Node& item : node.items) {
       result += piece(position, item.begin);
-      // Looking for the start of the line costs its length: done only where something is laid out anew.
+      // Finding the start of the line costs its length, so this is done only where something is laid out anew.
       const bool laid_out = item.fresh && item.is_container();
       result += laid_out ? value(item, indent_at(item.begin), column_at(item.begin)) : value(item, 0, 0);
       position = item.end;
@@ -135,7 +135,7 @@ class Writer {
     return result + piece(position, node.end);
   }
 
-  /// Items joined by the spacing that the container had before its items changed.
+  /// Items joined with the spacing that the container had before its items changed.
   std::string imitated(const Node& node, std::size_t indent) const {
     const std::vector<Node>& before = node.model->items;
     const std::string lead = piece(node.model->begin + 1, before.front().key_begin);
@@ -187,7 +187,7 @@ class Writer {
     return result + end + (is_object ? "}" : "]");
   }
 
-  /// As many items on a line as are wanted or fit: rows of a mesh, long lists of points.
+  /// As many items on a line as requested, or as fit: rows of a mesh, long lists of points.
   std::string filled(const Node& node, const std::string& start) const {
     std::string result;
     std::size_t column = start.size() - 1;

@@ -1,5 +1,5 @@
 #pragma once
-// What the loader accepts at most. Far beyond any real project, close enough to keep hostile files cheap.
+// The limits of the loader: far above any real project, but low enough to keep hostile files cheap.
 // The same figures stand in schema_text(), which a test compares, and in docs/project-file.md.
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 // The document: pictures, what corresponds to what, how the change is timed, and what comes out.
-// A plain value; the JSON that it is read from and written to is known by morph/project alone (docs/project-file.md).
+// A plain value. Only morph/project knows its JSON form (docs/project-file.md).
 
 #include <cstddef>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace morphkit::project {
 
 /// How an in-between line is formed.
 enum class Between {
-  kEndpoints,  ///< each end moves straight; a line that turns shrinks on the way (the paper)
+  kEndpoints,  ///< each end moves straight; a line that turns shrinks meanwhile (the paper)
   kCentre      ///< centre and length move straight, the angle turns
 };
 
@@ -93,7 +93,7 @@ struct Picture {
   bool operator==(const Picture&) const = default;
 };
 
-/// Vertices of the mesh that are timed with a group.
+/// Vertices of the mesh that take the timing of a group.
 struct MeshGroup {
   std::string group;                ///< id of a group
   std::vector<cv::Point> vertices;  ///< (column, row); a vertex is in one group at most
@@ -133,7 +133,7 @@ struct Warp {
   LinesMethod lines;
   MeshMethod mesh;
   warp::Filter filter = warp::Filter::kArea;  ///< not used by a mesh, whose passes average what they cover
-  /// Nothing: clamp where the picture covers the canvas, transparent where it does not.
+  /// nullopt: clamp if the picture covers the canvas, else transparent.
   std::optional<warp::Border> border;
   bool operator==(const Warp&) const = default;
 };
@@ -145,13 +145,13 @@ enum class Blend {
 
 enum class Fit { kContain, kCover, kStretch, kNone };
 
-/// Straight (not premultiplied) display-referred sRGB and alpha, each in [0, 1].
+/// Unpremultiplied display-referred sRGB and alpha, each in [0, 1].
 struct Color {
   double r = 0, g = 0, b = 0, a = 0;
   bool operator==(const Color&) const = default;
 };
 
-/// What lies behind the morph: a colour (alpha 0: transparency) or an image, placed with `cover`.
+/// The background: a colour (alpha 0: transparency) or an image, placed with `cover`.
 using Background = std::variant<Color, std::filesystem::path>;
 
 /// Frames per second as a fraction; terms of at least 1.
@@ -160,8 +160,8 @@ struct Rate {
   bool operator==(const Rate&) const = default;
 };
 
-/// "24", "25/2", or "29.97" and its kin, which mean the exact rates of video (30000/1001).
-/// @return nothing if it is no rate that a project may have.
+/// "24", "25/2", or a decimal like "29.97", which means the exact rate of video (30000/1001).
+/// @return nullopt if it is not a valid rate.
 std::optional<Rate> parse_rate(const std::string& text);
 
 struct Output {
@@ -193,10 +193,10 @@ struct Project {
   std::shared_ptr<const std::string> original;
 };
 
-/// Whether both say the same; where they were loaded from and how it was spelled does not count.
+/// Whether both have equal values; file and spelling do not count.
 bool same_document(const Project& a, const Project& b);
 
-/// How the project warps: as it says; if it says nothing, by its mesh if it has a mesh and no features, else by lines.
+/// The method of the project: its own if set; else the mesh if it has a mesh and no features, else lines.
 MethodName method_name_of(const Project& project);
 
 /// That method with its settings.
@@ -205,7 +205,7 @@ Method method_of(const Project& project);
 /// A sentence for each setting of the document that its method does not use, in the order of the document.
 std::vector<std::string> unused_settings(const Project& project);
 
-/// A path of the document (an image) as seen from the current directory.
+/// A path of the document (an image), relative to the current directory.
 std::filesystem::path resolve(const Project& project, const std::filesystem::path& path);
 
 /// What applies to `feature`, resolved through its group and the project to the defaults: no member is empty.
@@ -216,7 +216,7 @@ Pace effective_pace(const Project& project, const Feature& feature);
 Pull effective_pull(const Project& project, const std::string& group);
 Pace effective_pace(const Project& project, const std::string& group);
 
-/// Of the project itself, resolved to the defaults.
+/// The settings of the project itself, resolved to the defaults.
 Pull effective_pull(const Project& project);
 Pace effective_pace(const Project& project);
 
@@ -228,23 +228,23 @@ Project load(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages and relative paths resolve against its folder.
 Project parse(const std::string& text, const std::filesystem::path& name);
 
-/// The document as text that `parse` reads back equal. With an `original`, only what has changed is written anew:
-/// order, spelling, explicit defaults and spacing of the rest stay. Without one, defaults are left out.
-/// @pre the values are ones that `parse` accepts. @throws std::invalid_argument on a number that is not finite, Error
-/// kBadInput on a name that is not UTF-8.
+/// The document as text that `parse` reads back as an equal document. With an `original`, only changed values are
+/// written anew: order, spelling, explicit defaults and spacing of the rest stay. Without one, defaults are left out.
+/// @pre `parse` accepts the values. @throws std::invalid_argument on a number that is not finite, Error kBadInput on a
+/// name that is not UTF-8.
 std::string to_text(const Project& project);
 
-/// Writes to_text atomically (temporary name, sync, rename); through a symbolic link, to what it names.
+/// Writes to_text atomically (temporary name, sync, rename). A symbolic link is followed.
 /// @throws Error kIo, also if the file exists and `overwrite` is false; the file is then what it was before.
 void save(const Project& project, const std::filesystem::path& file, bool overwrite = true);
 
-/// What corresponds only: a project file, or a file that holds just {"morphkit": 1, "features": [...], "mesh": {...},
-/// "groups": [...]}, of which "features" or "mesh" must be there, laid over `project` (its images and output stay;
-/// "warp" and "transition" are taken where the file has them). For `morph A B --features F`.
+/// Loads only the correspondences into `project`. The file is a project, or just {"morphkit": 1, "features": [...],
+/// "mesh": {...}, "groups": [...]} with at least "features" or "mesh". Images and output of `project` stay; "warp" and
+/// "transition" are taken if the file has them. For `morph A B --features F`.
 /// @throws Error as load; `project` is then unchanged.
 void load_features(Project& project, const std::filesystem::path& file);
 
-/// The JSON Schema (2020-12) that the loader is tested against.
+/// The JSON Schema (2020-12); tests compare the loader with it.
 std::string schema_text();
 
 }  // namespace morphkit::project

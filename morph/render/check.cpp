@@ -12,7 +12,7 @@
 namespace morphkit::render {
 namespace {
 
-/// What lies nearest to the worst fold, put into the finding and named for the message.
+/// Puts the features or vertices nearest to the worst fold into the finding, and names them for the message.
 std::string name_nearest(const Renderer& renderer, Finding& fold) {
   if (project::method_name_of(renderer.project()) == project::MethodName::kMesh) {
     fold.vertices = {nearest_vertex(renderer, fold.position, fold.t)};
@@ -60,7 +60,7 @@ std::vector<Finding> check(const Renderer& renderer) {
     check_mesh(renderer, findings);
   else
     check_lines(renderer, findings);
-  // Two passes along curves that keep their order fold nowhere: there the vertices say all.
+  // Two passes along curves that keep their order cannot fold: there checking the vertices is enough.
   if (by_mesh && renderer.project().warp.mesh.spline != warp::MeshSpline::kCatmullRom) return findings;
   find_map_folds(renderer, kSource, findings);
   find_map_folds(renderer, kDestination, findings);

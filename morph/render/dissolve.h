@@ -1,5 +1,5 @@
 #pragma once
-// Mixing one row of two pictures, and laying it over what is behind.
+// Mixes one row of two pictures, and puts it over the background.
 
 #include <span>
 
@@ -8,8 +8,8 @@
 
 namespace morphkit::render {
 
-/// C = (1 - alpha) S + alpha D on premultiplied rows of equal length, in place of `source`. Where alpha is 0 or 1 the
-/// result is that picture bit for bit. alpha has the rows' length, or length 1 for all pixels.
+/// C = (1 - alpha) S + alpha D on premultiplied rows of equal length, written to `source`. Where alpha is 0 or 1 the
+/// result is that picture bit for bit. `alpha` has one value per pixel, or a single value for all pixels.
 void dissolve_row(std::span<warp::Pixel> source, std::span<const warp::Pixel> destination, std::span<const float> alpha,
                   project::Blend blend) noexcept;
 

@@ -9,8 +9,8 @@
 namespace morphkit::render {
 namespace {
 
-/// How far a chain of chords may stray from its curve, and how many chords it may have. Every chord pulls like a line
-/// of its own, so chains are kept short.
+/// The allowed distance of a chain of chords from its curve, and the largest number of chords. Every chord pulls like a
+/// separate line, so chains are kept short.
 constexpr double kChordTolerancePx = 0.75;
 constexpr int kMaxChords = 48;
 

@@ -10,8 +10,8 @@
 
 namespace morphkit::render {
 
-/// A line of the canvas on both sides, with all that decides its moment. Points have p == q; curves are chains of
-/// these.
+/// A line on both sides, on the canvas, with the settings that decide its moments. Points have p == q; curves are
+/// chains of lines.
 struct LinePair {
   warp::Line source, destination;  ///< canvas px
   project::Pull pull;              ///< no member empty
@@ -20,7 +20,7 @@ struct LinePair {
 };
 
 /// All features as pairs of canvas lines; curves become chains of equal arc length on both sides.
-/// @param unit  canvas px per px that the placements lead to, so that a view has the chains of the whole canvas.
+/// @param unit  canvas px per px of the placements, so that a view gets the same chains as the whole canvas.
 std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source, const Placement& destination,
                                  double unit = 1);
 

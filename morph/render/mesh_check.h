@@ -7,7 +7,7 @@
 
 namespace morphkit::render {
 
-/// Vertices out of order on either side and in between, and what the passes squeeze.
+/// Vertices out of order on either side and in between, and parts that the passes squeeze.
 void check_mesh(const Renderer& renderer, std::vector<Finding>& findings);
 
 /// The vertex that is nearest to a canvas position at t.

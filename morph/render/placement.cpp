@@ -27,7 +27,7 @@ Placement place(cv::Size image, cv::Size canvas, project::Fit fit) {
 }
 
 bool covers(const Placement& placement, cv::Size image, cv::Size canvas) {
-  // A picture that was fitted to the canvas misses its edge by rounding only.
+  // A picture fitted to the canvas misses its edge only by rounding.
   constexpr double kSlackPx = 1e-6;
   const cv::Point2d first = placement.to_canvas({0, 0});
   const cv::Point2d last = placement.to_canvas({static_cast<double>(image.width), static_cast<double>(image.height)});

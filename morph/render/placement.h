@@ -1,5 +1,5 @@
 #pragma once
-// Where a picture of its own size lies on the canvas, and places between two.
+// The placement of a picture on the canvas, and interpolation between positions.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 
 namespace morphkit::render {
 
-/// std::lerp gives both ends exactly and stays put where they are equal; (1 - s) a + s b does neither.
+/// std::lerp gives both ends exactly, and does not move if they are equal; (1 - s) a + s b does neither.
 inline cv::Point2d lerp(cv::Point2d a, cv::Point2d b, double s) {
   return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s)};
 }

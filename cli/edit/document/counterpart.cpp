@@ -25,7 +25,7 @@ cv::Point2d into(cv::Point2d position, cv::Size picture) {
           std::clamp(position.y, 0.0, static_cast<double>(picture.height))};
 }
 
-/// What warp::LineField takes.
+/// Whether warp::LineField accepts the line.
 bool in_range(const warp::Line& line) {
   constexpr double kMost = 1e9;
   return std::max({std::abs(line.p.x), std::abs(line.p.y), std::abs(line.q.x), std::abs(line.q.y)}) <= kMost;
@@ -34,8 +34,8 @@ bool in_range(const warp::Line& line) {
 const cv::Point2d kCentre{0.5, 0.5};
 
 /// The lines of `side` as the output and those of the other as the target, all moved so that `on_canvas` is the centre
-/// of pixel (0, 0): the field is asked at pixel centres, and tells small positions most precisely. A line of next to no
-/// length that rounding makes a point on one side only says nothing and is left out.
+/// of pixel (0, 0): the field is evaluated at pixel centres, and is most precise for small positions. A tiny line that
+/// rounding makes a point on only one side carries no information and is left out.
 std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pairs, SideIndex side,
                                          cv::Point2d on_canvas) {
   const cv::Point2d shift = kCentre - on_canvas;
@@ -57,7 +57,7 @@ std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pa
   return lines;
 }
 
-/// Canvas to canvas; nothing if the features say nothing there.
+/// Canvas to canvas; nullopt if the features give nothing there.
 std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>& pairs, SideIndex side,
                                             cv::Point2d on_canvas) {
   const std::vector<warp::FieldLine> lines = lines_about(pairs, side, on_canvas);
@@ -69,7 +69,7 @@ std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>&
   return finite(position) ? std::optional(position) : std::nullopt;
 }
 
-/// Weights of the corners a, b, c of a triangle at x, which add up to 1; nothing for a triangle without area.
+/// Weights of the corners a, b, c of a triangle at x, which add up to 1; nullopt for a triangle without area.
 std::optional<std::array<double, 3>> weights_in(cv::Point2d a, cv::Point2d b, cv::Point2d c, cv::Point2d x) {
   const double area = (b - a).cross(c - a);
   if (area == 0) return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<std::array<double, 3>> weights_in(cv::Point2d a, cv::Point2d b, cv
   return std::array{1 - at_b - at_c, at_b, at_c};
 }
 
-/// Picture to picture: the triangle that x lies in, or lies least outside of, is carried to its partner.
+/// Picture to picture: maps the triangle that contains x, or is nearest to x, to its partner.
 std::optional<cv::Point2d> carried_by_mesh(const warp::Mesh& here, const warp::Mesh& there, cv::Point2d x) {
   double best = -std::numeric_limits<double>::infinity();
   std::optional<cv::Point2d> result;

@@ -34,7 +34,7 @@ std::size_t vertex_count(const Project& project) {
                       : 0;
 }
 
-/// A mesh cannot mirror, and the last feature that goes may leave a mesh in charge.
+/// A mesh does not support mirrored borders, and removing the last feature may switch the method to the mesh.
 void settle(Project& project) {
   const bool mirrors = project.warp.border == warp::Border::kMirror;
   if (mirrors && project::method_name_of(project) == project::MethodName::kMesh) project.warp.border.reset();
@@ -65,7 +65,7 @@ void Document::change_selected(const std::function<void(Feature&)>& edit) {
   });
 }
 
-/// Where a project is kept and how it is spelled there belongs to the file, not to a step.
+/// The file and spelling of a project are not part of an undo step.
 void Document::take(State state) {
   state.project.file = saved_.file;
   state.project.original = saved_.original;
@@ -149,8 +149,8 @@ int Document::add(Feature feature) {
   return index;
 }
 
-/// The other end of a partner whose ends would lie at one place, as they do when both were carried out of the picture:
-/// as far from `start` as on the side that was drawn, into the picture if there is room.
+/// The other end of a partner with both ends in one place, which happens when both were carried out of the picture: at
+/// the same distance from `start` as on the drawn side, inside the picture if there is room.
 cv::Point2d Document::partner_end(SideIndex side, cv::Point2d start, cv::Point2d from, cv::Point2d to) const {
   const cv::Size size = picture_size(other(side));
   const cv::Rect2d picture({0, 0}, cv::Size2d(size));
@@ -158,7 +158,7 @@ cv::Point2d Document::partner_end(SideIndex side, cv::Point2d start, cv::Point2d
   const cv::Point2d middle(size.width / 2.0, size.height / 2.0);
   const bool outwards = arm.dot(middle - start) < 0;
   const cv::Point2d end = kept(outwards ? start - arm : start + arm);
-  // A line of next to no length is lost in rounding: any that is left will do.
+  // A tiny line disappears by rounding; any length above 0 is good enough.
   return end != start ? end : start + cv::Point2d(start.x < middle.x ? 1 : -1, 0);
 }
 

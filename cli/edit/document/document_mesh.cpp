@@ -21,7 +21,7 @@ using project::Project;
 
 constexpr SideIndex kSides[] = {kSource, kDestination};
 
-/// Vertices of a new mesh, each way, when nobody has said how many.
+/// Default number of vertices of a new mesh, in each direction.
 constexpr int kUsualMesh = 5;
 
 std::vector<cv::Point2d>& vertices_of(project::Mesh& mesh, SideIndex side) {
@@ -46,7 +46,7 @@ void lay_mesh(Project& project, int columns, int rows) {
   drop_idle_groups(project, left);
 }
 
-/// Columns are the rows of the transposed mesh: what changes the number of either is written for columns.
+/// Rows are the columns of the transposed mesh: operations on either are written for columns.
 void transpose(project::Mesh& mesh) {
   for (const SideIndex side : kSides) {
     std::vector<cv::Point2d>& vertices = vertices_of(mesh, side);

@@ -1,5 +1,5 @@
 #pragma once
-// Groups that come and go with what belongs to them. Internal to cli/edit.
+// Groups that are made and removed with their members. Internal to cli/edit.
 
 #include <set>
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace morphkit::edit {
 
-/// Makes the group if the project has none of that id; not for an empty id.
+/// Makes the group if the project has none with that id; not for an empty id.
 void add_group(project::Project& project, const std::string& id);
 
-/// Removes those of `left`, from which something was taken away, that are empty now and set nothing. Parts of a mesh
-/// belong to a group like features do.
+/// Removes the groups in `left` (groups that lost members) that are empty now and have no settings. Parts of a mesh are
+/// members like features.
 void drop_idle_groups(project::Project& project, const std::set<std::string>& left);
 
 }  // namespace morphkit::edit

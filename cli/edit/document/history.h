@@ -1,5 +1,5 @@
 #pragma once
-// Undo and redo without limit. States share what they have in common, so that a step costs what it changed.
+// Undo and redo without limit. States share equal parts, so a step costs only its changes.
 
 #include <cstddef>
 #include <memory>
@@ -21,16 +21,16 @@ struct State {
   Selection selection;
 };
 
-/// What a history holds.
+/// The size of a history.
 struct HistorySize {
   std::size_t states = 0;
-  std::size_t parts = 0;  ///< objects that the states are made of, each counted once however many states share it
+  std::size_t parts = 0;  ///< objects in all states; shared objects count once
 };
 
 class History {
  public:
-  /// Remembers `state` as what a coming `undo` returns to; what could be redone is forgotten. The project's `file` and
-  /// `original` are not remembered: where it is saved is no state of it.
+  /// Stores `state` for a later `undo` and forgets all redo states. The project's `file` and `original` are not stored:
+  /// they are not part of a state.
   void push(const State& state);
 
   bool can_undo() const noexcept { return !past_.empty(); }
@@ -44,7 +44,7 @@ class History {
   HistorySize size() const;
 
  private:
-  /// A state taken apart: parts that are equal to those of its neighbour are the same objects.
+  /// A state in parts: parts equal to those of its neighbour are the same objects.
   struct Stored;
   using Side = std::vector<std::shared_ptr<const Stored>>;
   static std::shared_ptr<const Stored> store(const State& state, const Stored* neighbour);
@@ -53,7 +53,7 @@ class History {
   State step(const State& now, Side& from, Side& to);
 
   Side past_, future_;
-  std::shared_ptr<const Stored> restored_;  ///< what the last undo or redo gave, until the next push
+  std::shared_ptr<const Stored> restored_;  ///< the result of the last undo or redo, until the next push
 };
 
 }  // namespace morphkit::edit

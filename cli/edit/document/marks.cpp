@@ -38,13 +38,13 @@ bool fits(const Mark& mark, const Points& points) {
   return points.size() <= project::kMaxPoints && !motion::Curve::problem(curve.kind, points, curve.closed);
 }
 
-/// Whether both ends of what is open lie at the same place, on both sides.
+/// Whether both ends of an open feature lie at the same place, on both sides.
 bool is_joined(const Feature& feature) {
   return !std::holds_alternative<project::Point>(feature.mark) && !is_closed(feature) &&
          ends_meet(feature.places[project::kSource]);
 }
 
-/// The nearest to `by` that lets `value` and all others stay within the limits.
+/// The nearest value to `by` that keeps `least` and `most` within the limits.
 double limited(double by, double least, double most) {
   return std::clamp(by, std::min(0.0, -kMaxCoordinate - least), std::max(0.0, kMaxCoordinate - most));
 }

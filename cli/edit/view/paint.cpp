@@ -132,7 +132,7 @@ void polygon(cv::Mat3b& picture, const std::vector<cv::Point2d>& corners, const 
 
 cv::Mat3b placed(const cv::Mat3b& picture, const cv::Matx23d& map, cv::Size size, int how) {
   const cv::Scalar behind(palette::kBackground[0], palette::kBackground[1], palette::kBackground[2]);
-  // Only what is seen, for OpenCV takes no picture of 32767 px or more here.
+  // Only the visible part, because OpenCV does not support 32767 px or more here.
   const auto held = [](double at, int most) { return static_cast<int>(std::clamp(at, 0.0, 1.0 * most)); };
   const double right = map(0, 2) + map(0, 0) * size.width, bottom = map(1, 2) + map(1, 1) * size.height;
   const cv::Point first(held(std::floor(map(0, 2)) - 1, picture.cols), held(std::floor(map(1, 2)) - 1, picture.rows));

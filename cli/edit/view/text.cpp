@@ -15,7 +15,7 @@ constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.t
 constexpr std::size_t kMostLines = 4096;   ///< kept; then all are forgotten
 constexpr double kStrokeScale = 1 / 30.0;  ///< of OpenCV's strokes, per px of height
 
-/// Only whole characters may be cut off: the beginning of the last one in `text` before `end`.
+/// The beginning of the last character in `text` before `end`: only whole characters may be cut off.
 std::size_t previous_character(std::string_view text, std::size_t end) {
   while (end > 0 && (static_cast<unsigned char>(text[end - 1]) & 0xC0) == 0x80) --end;
   return end > 0 ? end - 1 : 0;
@@ -39,7 +39,7 @@ Type::Line Type::rendered(const std::string& text, int height) const {
   Line line;
   line.advance = size.width;
   line.baseline = height + 2;
-  // Wide enough for what leans over its advance.
+  // Wide enough for glyphs that extend beyond their advance.
   cv::Mat3b drawn(line.baseline + height, size.width + height, cv::Vec3b(0, 0, 0));
   const cv::Point start(2, line.baseline);
   if (font_) {

@@ -5,14 +5,14 @@
 namespace morphkit::edit {
 namespace {
 
-/// Free of the pane on each side, px.
+/// Margin of the pane on each side, px.
 constexpr double kMarginPx = 8;
 
 double kept(double zoom) {
   return std::clamp(zoom, kLeastZoom, kMostZoom);
 }
 
-/// What is left of an axis of the pane; a pane too small for margins keeps half of itself.
+/// The length of an axis of the pane without margins; a pane too small for margins keeps half.
 double inside(int pane) {
   return std::max(pane - 2 * kMarginPx, pane / 2.0);
 }
