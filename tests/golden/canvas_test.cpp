@@ -36,7 +36,7 @@ struct Scene {
     model.file_name = "woman-man.json";
   }
 
-  const Pyramid& pyramid(SideIndex side) const { return side == kSource ? source : destination; }
+  const Pyramid& pyramid(SideIndex side) const { return side == project::kSource ? source : destination; }
 
   /// The image of the result pane, at a third of the size like a draft. Golden pictures of renders are elsewhere.
   PreviewPicture preview() const {
@@ -113,8 +113,8 @@ TEST(CanvasGolden, MarksOneSelectedOneUnderTheMouse) {
   Scene scene = scene_with(14);
   scene.model.document.select({{2}, {}});
   const project::Feature& feature = scene.model.document.project().features[5];
-  scene.point_at(kSource, feature.places[project::kSource][0]);
-  scene.model.hover = Handle{kSource, 5, 0, -1};
+  scene.point_at(project::kSource, feature.places[project::kSource][0]);
+  scene.model.hover = Handle{project::kSource, 5, 0, -1};
   expect_looks("canvas-marks", scene.drawn());
 }
 
@@ -125,10 +125,10 @@ TEST(CanvasGolden, MeshTool) {
   model.document.make_mesh(6, 7);
   model.document.set_method(project::MethodName::kMesh);
   const int moved[] = {14, 15, 20, 21};
-  model.document.move_vertices(moved, kDestination, {24, -30});
+  model.document.move_vertices(moved, project::kDestination, {24, -30});
   model.document.select({{}, {14, 15, 20, 21}});
-  model.hover = Handle{kDestination, -1, -1, 27};
-  scene.point_at(kDestination, model.document.mesh_vertices(kDestination)[27]);
+  model.hover = Handle{project::kDestination, -1, -1, 27};
+  scene.point_at(project::kDestination, model.document.mesh_vertices(project::kDestination)[27]);
   model.show = Show::kGrid;
   expect_looks("canvas-mesh", scene.drawn());
 }
@@ -139,9 +139,9 @@ TEST(CanvasGolden, CurveSnappingWithLoupe) {
   model.tool = ToolId::kCurve;
   model.switches.loupe = true;
   const cv::Point2d next(512, 556);
-  model.sketch = Sketch{Sketch::Shape::kCurve, kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
+  model.sketch = Sketch{Sketch::Shape::kCurve, project::kSource, {{262, 500}, {300, 600}, {380, 665}}, next};
   model.snapped = next;
-  scene.point_at(kSource, next);
+  scene.point_at(project::kSource, next);
   model.show = Show::kDifference;
   expect_looks("canvas-curve", scene.drawn());
 }
@@ -150,7 +150,7 @@ TEST(CanvasGolden, OnionSkinAndFolds) {
   Scene scene = scene_with(10);
   Model& model = scene.model;
   model.document.select({{0, 1, 2}, {}});
-  model.document.swap_end_on(kDestination);  // the line is reversed, so the map folds
+  model.document.swap_end_on(project::kDestination);  // the line is reversed, so the map folds
   model.switches.onion = true;
   model.t = 0.35;
   model.playing = true;
@@ -192,7 +192,7 @@ TEST(PreviewGolden, FoldsOfASideThatDoesNotShowYetAreNotPainted) {
   for (project::Group& group : project.groups) group.pace = {};
   scene.model.document.replace(project);
   scene.model.document.select({{0, 1, 2}, {}});
-  scene.model.document.swap_end_on(kDestination);  // turned over: folds
+  scene.model.document.swap_end_on(project::kDestination);  // turned over: folds
   scene.model.t = 0.3;
   expect_looks("preview-folds", result_of(scene));
 }
@@ -203,7 +203,7 @@ TEST(PreviewGolden, TheSourceUnderAMeshIsThatOfTheTwoPasses) {
   model.document.make_mesh(6, 7);
   model.document.set_method(project::MethodName::kMesh);
   const int moved[] = {14, 15, 20, 21};
-  model.document.move_vertices(moved, kDestination, {60, -60});
+  model.document.move_vertices(moved, project::kDestination, {60, -60});
   project::Project project = model.document.project();
   project.warp.filter = warp::Filter::kNearest;  // of which the passes know nothing
   model.document.replace(project);
@@ -236,11 +236,11 @@ TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
   Scene scene(plain({640, 480}, 0.6f, 1.0f), plain({500, 600}, 0.0f, 0.03f), {}, kLeastCanvas);
   Model& model = scene.model;
   model.file_name = "ein sehr langer Name f\u00fcr ein Projekt, der nirgends hineinpasst.json";
-  for (int i = 0; i < 5; ++i) model.document.add_line(kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
-  for (int i = 0; i < 4; ++i) model.document.add_point(kSource, {90.0 + 120 * i, 290});
-  model.document.add_curve(kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
+  for (int i = 0; i < 5; ++i) model.document.add_line(project::kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
+  for (int i = 0; i < 4; ++i) model.document.add_point(project::kSource, {90.0 + 120 * i, 290});
+  model.document.add_curve(project::kSource, {{80, 400}, {240, 350}, {400, 430}, {560, 380}}, false);
   model.entry = Entry{Entry::What::kName, "Stra\u00dfe"};
-  model.sketch = Sketch{Sketch::Shape::kBox, kDestination, {{30, 60}, {300, 520}}, {}};
+  model.sketch = Sketch{Sketch::Shape::kBox, project::kDestination, {{30, 60}, {300, 520}}, {}};
   expect_looks("canvas-contrast", scene.drawn());
 }
 
@@ -266,10 +266,10 @@ TEST(Canvas, DrawsAtEverySizeAndZoom) {
     for (const double zoom : {kLeastZoom, 1.0, kMostZoom}) {
       SCOPED_TRACE(std::to_string(size.width) + " " + std::to_string(zoom));
       Scene scene(plain({64, 48}, 0, 1), plain({48, 64}, 0, 1), {}, size);
-      scene.model.document.add_line(kSource, {-90000, 3}, {90000, 20});
+      scene.model.document.add_line(project::kSource, {-90000, 3}, {90000, 20});
       scene.model.source_view.zoom = scene.model.destination_view.zoom = zoom;
       scene.model.switches.loupe = true;
-      scene.point_at(kSource, {32, 24});
+      scene.point_at(project::kSource, {32, 24});
       EXPECT_EQ(Canvas(scene.source, scene.destination).draw(scene.model, {}).size(), size);
     }
 }

@@ -16,8 +16,6 @@
 namespace morphkit::edit {
 namespace {
 
-using project::kDestination;
-using project::kSource;
 using project::SideIndex;
 
 cv::Point2d into(cv::Point2d position, cv::Size picture) {
@@ -42,7 +40,7 @@ std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pa
   std::vector<warp::FieldLine> lines;
   lines.reserve(pairs.size());
   for (const render::LinePair& pair : pairs) {
-    const bool from_source = side == kSource;
+    const bool from_source = side == project::kSource;
     const warp::Line& here = from_source ? pair.source : pair.destination;
     const warp::Line& there = from_source ? pair.destination : pair.source;
     const warp::Line output{here.p + shift, here.q + shift}, target{there.p + shift, there.q + shift};
@@ -112,9 +110,9 @@ std::vector<cv::Point2d> vertices_on(const project::Project& project, SideIndex 
 
 cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, SideIndex side,
                         cv::Point2d position) {
-  const bool from_source = side == kSource;
+  const bool from_source = side == project::kSource;
   const cv::Size here = from_source ? source : destination, there = from_source ? destination : source;
-  const SideIndex other_side = from_source ? kDestination : kSource;
+  const SideIndex other_side = from_source ? project::kDestination : project::kSource;
   const cv::Size canvas = render::canvas_size(project, source);
   const render::Placement placed = render::place(here, canvas, project.output.fit);
   const render::Placement other_placed = render::place(there, canvas, project.output.fit);

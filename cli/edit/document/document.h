@@ -16,12 +16,10 @@
 
 namespace morphkit::edit {
 
-using project::kDestination;
-using project::kSource;
 using project::SideIndex;
 
 inline SideIndex other(SideIndex side) {
-  return side == kSource ? kDestination : kSource;
+  return side == project::kSource ? project::kDestination : project::kSource;
 }
 
 /// The numbers that sliders change, for the project or for the selected features.
@@ -41,7 +39,7 @@ class Document {
 
   const project::Project& project() const noexcept { return state_.project; }
   const Selection& selection() const noexcept { return state_.selection; }
-  cv::Size picture_size(SideIndex side) const noexcept { return side == kSource ? source_ : destination_; }
+  cv::Size picture_size(SideIndex side) const noexcept { return side == project::kSource ? source_ : destination_; }
   std::uint64_t revision() const noexcept { return revision_; }  ///< another number whenever the project changes
 
   // Steps

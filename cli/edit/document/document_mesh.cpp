@@ -19,7 +19,7 @@ namespace {
 using project::MeshGroup;
 using project::Project;
 
-constexpr SideIndex kSides[] = {kSource, kDestination};
+constexpr SideIndex kSides[] = {project::kSource, project::kDestination};
 
 /// Default number of vertices of a new mesh, in each direction.
 constexpr int kUsualMesh = 5;

@@ -16,9 +16,7 @@ namespace morphkit::edit {
 namespace {
 
 using project::Feature;
-using project::kDestination;
 using project::kMaxCoordinate;
-using project::kSource;
 using project::Mark;
 using project::SideIndex;
 

@@ -14,7 +14,7 @@ namespace {
 
 EdgeFinder edges_of(const Pyramid& source, const Pyramid& destination) {
   return [&](SideIndex side, cv::Point2d position, double radius, double zoom) {
-    return strongest_edge(side == kSource ? source : destination, position, radius, zoom);
+    return strongest_edge(side == project::kSource ? source : destination, position, radius, zoom);
   };
 }
 

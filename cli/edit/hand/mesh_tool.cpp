@@ -73,7 +73,7 @@ void MeshTool::add_at_mouse(bool column) {
 
 void MeshTool::add_to_widest_gap(bool column) {
   const project::Mesh& mesh = *document().project().mesh;
-  const std::vector<cv::Point2d> vertices = document().mesh_vertices(kSource);
+  const std::vector<cv::Point2d> vertices = document().mesh_vertices(project::kSource);
   const auto at = [&](int i) {
     return vertices[static_cast<std::size_t>(column ? (mesh.rows / 2) * mesh.columns + i
                                                     : i * mesh.columns + mesh.columns / 2)];
@@ -109,7 +109,7 @@ void MeshTool::remove(bool column) {
 }
 
 void MeshTool::select_next() {
-  const int count = static_cast<int>(document().mesh_vertices(kSource).size());
+  const int count = static_cast<int>(document().mesh_vertices(project::kSource).size());
   if (count == 0) return;
   const std::vector<int>& selected = document().selection().vertices;
   context().select({{}, {selected.empty() ? 0 : (selected.back() + 1) % count}});

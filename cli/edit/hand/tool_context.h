@@ -55,7 +55,7 @@ class ToolContext {
  private:
   Model& model_;
   EdgeFinder edges_;
-  SideIndex pressed_side_ = kSource;
+  SideIndex pressed_side_ = project::kSource;
 };
 
 }  // namespace morphkit::edit

@@ -52,8 +52,8 @@ const cv::Mat3b& Canvas::draw(const Model& model, const PreviewPicture& preview)
   const Layout layout = layout_beneath(model);
   canvas_.create(model.canvas_size);
   fill(canvas_, {{0, 0}, canvas_.size()}, palette::kBackground);
-  draw_picture(model, layout, kSource);
-  draw_picture(model, layout, kDestination);
+  draw_picture(model, layout, project::kSource);
+  draw_picture(model, layout, project::kDestination);
   draw_result(model, layout, preview);
   draw_chrome(canvas_, model, layout, preview, type_);
   if (model.switches.loupe && !model.help && !model.question) draw_loupe(canvas_, model, layout, source_, destination_);
@@ -69,7 +69,7 @@ void Canvas::draw_picture(const Model& model, const Panes& panes, SideIndex side
   std::optional<Shown>& shown = shown_[static_cast<int>(pane)];
   const View& view = model.view(pane);
   if (!shown || shown->view != view || shown->pixels.size() != rect.size())
-    shown = Shown{view, seen(side == kSource ? source_ : destination_, view, rect.size())};
+    shown = Shown{view, seen(side == project::kSource ? source_ : destination_, view, rect.size())};
   cv::Mat3b target = canvas_(rect);
   shown->pixels.copyTo(target);
   draw_marks(target, model, side, panes.scale, type_);
@@ -98,7 +98,7 @@ const std::vector<render::LinePair>& Canvas::pairs_of(const Model& model) {
     const auto placed = [&](SideIndex side) {
       return render::place(model.document.picture_size(side), canvas, project.output.fit);
     };
-    pairs_ = render::line_pairs(project, placed(kSource), placed(kDestination));
+    pairs_ = render::line_pairs(project, placed(project::kSource), placed(project::kDestination));
     paired_revision_ = model.document.revision();
   }
   return pairs_;

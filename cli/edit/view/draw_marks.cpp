@@ -164,7 +164,7 @@ void draw_sketch(const Pen& pen, const Sketch& sketch, int next) {
     project::Feature curve;
     curve.mark = project::Curve{};
     curve.places[project::kSource] = through;
-    pen.cased(pen.at(outline_of(curve, kSource)), color, palette::kDark, 2);
+    pen.cased(pen.at(outline_of(curve, project::kSource)), color, palette::kDark, 2);
     if (points.size() > 2) ring(pen.pane, points.front(), 9 * pen.scale, palette::kLight, pen.px(1.6));
   } else {
     pen.cased(points, color, palette::kDark, 2);

@@ -5,8 +5,8 @@
 namespace morphkit::edit {
 
 cv::Size Model::content_size(Pane pane) const {
-  if (pane == Pane::kResult) return render::canvas_size(document.project(), document.picture_size(kSource));
-  return document.picture_size(pane == Pane::kSource ? kSource : kDestination);
+  if (pane == Pane::kResult) return render::canvas_size(document.project(), document.picture_size(project::kSource));
+  return document.picture_size(pane == Pane::kSource ? project::kSource : project::kDestination);
 }
 
 void Model::fit_views() {

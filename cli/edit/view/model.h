@@ -14,7 +14,7 @@ namespace morphkit::edit {
 
 /// A hit: a point of a feature, a whole feature, or a vertex of the mesh.
 struct Handle {
-  SideIndex side = kSource;
+  SideIndex side = project::kSource;
   int feature = -1;  ///< -1: a vertex
   int point = -1;    ///< of the feature; -1: the whole of it
   int vertex = -1;   ///< -1: a feature
@@ -25,7 +25,7 @@ struct Handle {
 struct Sketch {
   enum class Shape { kBox, kLine, kCurve };
   Shape shape = Shape::kLine;
-  SideIndex side = kSource;
+  SideIndex side = project::kSource;
   std::vector<cv::Point2d> points;  ///< picture px; box: two corners; line: two ends; curve: the clicks so far
   cv::Point2d next;                 ///< curve: where the next click would put a point
 };

@@ -15,10 +15,10 @@ inline constexpr double kBodyReach = 6;
 
 /// The side of a pane with a picture.
 inline SideIndex side_of(Pane pane) {
-  return pane == Pane::kDestination ? kDestination : kSource;
+  return pane == Pane::kDestination ? project::kDestination : project::kSource;
 }
 inline Pane pane_of(SideIndex side) {
-  return side == kDestination ? Pane::kDestination : Pane::kSource;
+  return side == project::kDestination ? Pane::kDestination : Pane::kSource;
 }
 
 /// A canvas position as one of the content of a pane, and back.

@@ -83,9 +83,9 @@ render::Renderer renderer_of(const PreviewRequest& request, std::shared_ptr<cons
 bool shows(const render::Renderer& renderer, const PreviewRequest& request, SideIndex side) {
   switch (request.show) {
     case Show::kSource:
-      return side == kSource;
+      return side == project::kSource;
     case Show::kDestination:
-      return side == kDestination;
+      return side == project::kDestination;
     case Show::kDifference:
       return true;
     case Show::kDissolve:
@@ -117,18 +117,18 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
 cv::Mat3b shown(const PreviewRequest& request, const std::shared_ptr<const render::Stage>& stage) {
   const render::Renderer renderer = renderer_of(request, stage);
   const auto side = [&](SideIndex which) { return to_screen(renderer.side(request.t, which)); };
-  if (request.show == Show::kSource) return side(kSource);
-  if (request.show == Show::kDestination) return side(kDestination);
+  if (request.show == Show::kSource) return side(project::kSource);
+  if (request.show == Show::kDestination) return side(project::kDestination);
   if (request.show == Show::kDifference) {
     cv::Mat3b difference;
-    cv::absdiff(side(kSource), side(kDestination), difference);
+    cv::absdiff(side(project::kSource), side(project::kDestination), difference);
     return difference;
   }
   cv::Mat3b screen = to_screen(renderer.frame(request.t));
   if (request.show == Show::kGrid) {
     screen *= 0.6;
-    const cv::Size size = renderer.picture_size(kSource);
-    draw_grid(renderer.map(request.t, kSource), std::max(size.width, size.height) / kGridCells, screen);
+    const cv::Size size = renderer.picture_size(project::kSource);
+    draw_grid(renderer.map(request.t, project::kSource), std::max(size.width, size.height) / kGridCells, screen);
   }
   return screen;
 }

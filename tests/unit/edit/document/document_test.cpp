@@ -13,7 +13,7 @@
 namespace morphkit::edit {
 namespace {
 
-constexpr SideIndex kHere = kSource, kThere = kDestination;
+constexpr SideIndex kHere = project::kSource, kThere = project::kDestination;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Points = std::vector<cv::Point2d>;
@@ -566,7 +566,7 @@ TEST(History, AStepCostsWhatItChanged) {
   const std::size_t first = history.size().parts;
   EXPECT_EQ(first, kFeatures + 3U) << "the rest, the list of features, the groups";
   for (int i = 0; i < kSteps; ++i) {
-    state.project.features[static_cast<std::size_t>(i % kFeatures)].places[kSource][0].x += 1;
+    state.project.features[static_cast<std::size_t>(i % kFeatures)].places[project::kSource][0].x += 1;
     history.push(state);
   }
   const HistorySize size = history.size();

@@ -144,7 +144,7 @@ class Walk {
     }
   }
 
-  SideIndex side() { return integer(0, 1) == 0 ? kSource : kDestination; }
+  SideIndex side() { return integer(0, 1) == 0 ? project::kSource : project::kDestination; }
   int feature() { return integer(-1, static_cast<int>(document.project().features.size())); }
   double number(double least, double most) {
     if (integer(0, 60) == 0) return kNaN;
@@ -196,7 +196,7 @@ void expect_valid_selection(const Document& document) {
   for (const int i : document.selection().features)
     ASSERT_LT(static_cast<std::size_t>(i), document.project().features.size());
   for (const int i : document.selection().vertices)
-    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(kSource).size());
+    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(project::kSource).size());
 }
 
 void expect_reads_back(const Document& document) {

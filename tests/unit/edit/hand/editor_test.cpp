@@ -343,7 +343,7 @@ TEST_F(EditorSession, DoesNotOverwriteAProjectOfOtherPictures) {
   press('s');
   EXPECT_NE(question(), "");
   press('c');
-  EXPECT_EQ(project::load(file()).pictures[kSource].image, "c.png");
+  EXPECT_EQ(project::load(file()).pictures[project::kSource].image, "c.png");
 }
 
 TEST_F(EditorSession, OverwritesWhenToldTo) {

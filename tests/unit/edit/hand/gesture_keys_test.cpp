@@ -90,8 +90,8 @@ TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
   ask();
   for (const int code : {int{'a'}, int{'x'}, int{'z'}, int{'q'}, int{'s'}, int{kKeySpace}, int{kKeyShift}, int{'h'}})
     EXPECT_EQ(key(code), std::nullopt);
-  drag(kSource, {20, 20}, {90, 90});
-  wheel(at(kSource, {50, 50}), 2);
+  drag(project::kSource, {20, 20}, {90, 90});
+  wheel(at(project::kSource, {50, 50}), 2);
   EXPECT_EQ(features().size(), 3U);
   EXPECT_EQ(model.source_view, view);
   EXPECT_FALSE(model.help);
@@ -108,7 +108,7 @@ TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
 }
 
 TEST_F(GestureSession, NamesAreTyped) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   key('n');
   ASSERT_TRUE(model.entry);
   EXPECT_EQ(model.entry->text, "line 1");
@@ -133,7 +133,7 @@ TEST_F(GestureSession, NamesAreTyped) {
 }
 
 TEST_F(GestureSession, NamesAreShortenedByWholeCharacters) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   ASSERT_FALSE(model.document.rename(0, "nez \u00e9\U0001f441"));
   key('n');
   key(kKeyBackspace);
@@ -169,7 +169,7 @@ TEST_F(GestureSession, WhatIsTypedIsForWhatWasSelected) {
   EXPECT_EQ(features()[2].id, "line 3") << "named, and undone";
   key('n');
   type("y");
-  click(kSource, {200, 50});
+  click(project::kSource, {200, 50});
   EXPECT_FALSE(model.entry);
   EXPECT_EQ(features()[2].id, "line 3y");
   EXPECT_EQ(features()[0].id, "line 1");
@@ -181,11 +181,11 @@ TEST_F(GestureSession, HelpClosesByAnythingAndTheWelcomeGivesWay) {
   key('a');
   EXPECT_FALSE(model.help);
   key(kKeyF1);
-  drag(kSource, {20, 20}, {90, 90});
+  drag(project::kSource, {20, 20}, {90, 90});
   EXPECT_FALSE(model.help);
   EXPECT_TRUE(features().empty());
   model.welcome = true;
-  drag(kSource, {20, 20}, {90, 90});
+  drag(project::kSource, {20, 20}, {90, 90});
   EXPECT_FALSE(model.welcome);
   EXPECT_EQ(features().size(), 1U);
   model.welcome = true;
@@ -221,14 +221,14 @@ TEST_F(GestureSession, DeletesDuplicatesAndGoesRound) {
 
 TEST_F(GestureSession, WhatWasHeldMayHaveGone) {
   mark_three_lines();
-  press(kSource, {300, 250});
+  press(project::kSource, {300, 250});
   release();
-  ASSERT_EQ(model.held, (Handle{kSource, 2, 1, -1}));
+  ASSERT_EQ(model.held, (Handle{project::kSource, 2, 1, -1}));
   project::Project one = document().project();
   one.features.resize(1);
   model.document.replace(one);
   key('a');
-  move(kSource, {10, 10});
+  move(project::kSource, {10, 10});
   key('l');
   EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{101, 50}, {301, 50}}));
 }

@@ -46,7 +46,7 @@ class Storm : public Hand {
       model.answer.reset();
     }
     if (document().in_step()) return;
-    if (features().size() > 30 || document().mesh_vertices(kSource).size() > 120)
+    if (features().size() > 30 || document().mesh_vertices(project::kSource).size() > 120)
       model.document.replace(empty_project());
   }
 
@@ -67,7 +67,7 @@ class Storm : public Hand {
     if (chance(10)) return {integer(-5000, 5000), integer(-5000, 5000)};
     if (chance(3) && !features().empty()) {
       const int feature = integer(0, static_cast<int>(features().size()) - 1);
-      const SideIndex side = chance(2) ? kSource : kDestination;
+      const SideIndex side = chance(2) ? project::kSource : project::kDestination;
       return at(side, position_of(document(), {side, feature, 0, -1})) + cv::Point(integer(-9, 9), integer(-9, 9));
     }
     return {integer(-20, kWindow.width + 20), integer(-20, kWindow.height + 20)};
@@ -83,7 +83,7 @@ void expect_sound(const Storm& storm) {
   const Document& document = storm.document();
   for (const int i : document.selection().features) ASSERT_LT(static_cast<std::size_t>(i), storm.features().size());
   for (const int i : document.selection().vertices)
-    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(kSource).size());
+    ASSERT_LT(static_cast<std::size_t>(i), document.mesh_vertices(project::kSource).size());
   ASSERT_GE(storm.model.t, 0);
   ASSERT_LE(storm.model.t, 1);
   const std::string text = project::to_text(document.project());

@@ -19,7 +19,7 @@ TEST_F(GestureSession, MarksDragsUndoesSwapsAndGroups) {
   EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
   EXPECT_EQ(selected(), Indices{2});
 
-  drag(kDestination, {300, 150}, {320, 130});
+  drag(project::kDestination, {300, 150}, {320, 130});
   EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(320, 130));
   EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   EXPECT_EQ(selected(), Indices{1});
@@ -29,7 +29,7 @@ TEST_F(GestureSession, MarksDragsUndoesSwapsAndGroups) {
   key('y');
   EXPECT_EQ(features()[1].places[project::kDestination][1], cv::Point2d(320, 130));
 
-  move(kDestination, {10, 10});
+  move(project::kDestination, {10, 10});
   key('w');
   EXPECT_EQ(features()[1].places[project::kDestination][0], cv::Point2d(320, 130));
   EXPECT_EQ(features()[1].places[project::kSource][0], cv::Point2d(100, 150));
@@ -46,27 +46,27 @@ TEST_F(GestureSession, MarksDragsUndoesSwapsAndGroups) {
 }
 
 TEST_F(GestureSession, TheFarEndOfANewPartnerIsHeld) {
-  drag(kSource, {100, 50}, {300, 50});
-  EXPECT_EQ(model.held, (Handle{kDestination, 0, 1, -1}));
-  move(kDestination, {10, 10});
+  drag(project::kSource, {100, 50}, {300, 50});
+  EXPECT_EQ(model.held, (Handle{project::kDestination, 0, 1, -1}));
+  move(project::kDestination, {10, 10});
   type("lki");
   EXPECT_EQ(features()[0].places[project::kDestination], (std::vector<cv::Point2d>{{100, 50}, {301, 50}}));
-  move(kSource, {10, 10});
+  move(project::kSource, {10, 10});
   key('j');
   EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{99, 50}, {299, 50}}))
       << "nothing is held there";
 }
 
 TEST_F(GestureSession, NudgesByAPixelOfTheScreen) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   model.source_view.zoom = 4;
-  move(kSource, {200, 150});
+  move(project::kSource, {200, 150});
   key('k');
   EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(100, 50.25));
 }
 
 TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
-  drag(kDestination, {100, 50}, {300, 50});
+  drag(project::kDestination, {100, 50}, {300, 50});
   const auto nudged = [&] { return features()[0].places[project::kDestination][0] != cv::Point2d(100, 50); };
   key('a');
   const cv::Rect result = layout().pane(Pane::kResult);
@@ -75,13 +75,13 @@ TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
   key('l');
   EXPECT_TRUE(nudged()) << "the side of the last press";
   key('z');
-  click(kSource, {20, 20});
+  click(project::kSource, {20, 20});
   key('a');
-  move(kDestination, {20, 20});
+  move(project::kDestination, {20, 20});
   key('l');
   EXPECT_TRUE(nudged()) << "the side under the mouse";
   key('z');
-  click(kDestination, {100, 50});
+  click(project::kDestination, {100, 50});
   mouse(What::kMove, {800, 895});
   key('w');
   EXPECT_EQ(features()[0].places[project::kDestination][0], cv::Point2d(300, 50));
@@ -89,10 +89,10 @@ TEST_F(GestureSession, KeysActWhereTheHandIsOrWasLast) {
 }
 
 TEST_F(GestureSession, NudgesAreShortInTheFile) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   model.source_view.zoom = 0.37;
   key('a');
-  move(kSource, {200, 150});
+  move(project::kSource, {200, 150});
   key('l');
   EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(102.7, 50));
 }
@@ -100,7 +100,7 @@ TEST_F(GestureSession, NudgesAreShortInTheFile) {
 TEST_F(GestureSession, AllAndTheNextAreOfWhatTheToolHolds) {
   mark_three_lines();
   key('5');
-  click(kSource, {30, 80});
+  click(project::kSource, {30, 80});
   key('a');
   EXPECT_EQ(document().selection().vertices.size(), 25U);
   EXPECT_TRUE(selected().empty());
@@ -116,8 +116,8 @@ TEST_F(GestureSession, AllAndTheNextAreOfWhatTheToolHolds) {
 }
 
 TEST_F(GestureSession, AClickWithTheLineToolMakesNothingButDeselects) {
-  drag(kSource, {100, 50}, {300, 50});
-  drag(kSource, {200, 150}, {202, 152});
+  drag(project::kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {200, 150}, {202, 152});
   EXPECT_EQ(features().size(), 1U);
   EXPECT_TRUE(selected().empty());
 }
@@ -127,14 +127,14 @@ TEST_F(GestureSession, EndsComeBeforeBodiesAndTheNearestWinsInEveryTool) {
   for (const char tool : {'1', '2', '3', '4'}) {
     SCOPED_TRACE(tool);
     key(tool);
-    move(kSource, {294, 155});
-    EXPECT_EQ(model.hover, (Handle{kSource, 1, 1, -1}));
-    move(kSource, {200, 154});
-    EXPECT_EQ(model.hover, (Handle{kSource, 1, -1, -1}));
-    move(kSource, {200, 158});
+    move(project::kSource, {294, 155});
+    EXPECT_EQ(model.hover, (Handle{project::kSource, 1, 1, -1}));
+    move(project::kSource, {200, 154});
+    EXPECT_EQ(model.hover, (Handle{project::kSource, 1, -1, -1}));
+    move(project::kSource, {200, 158});
     EXPECT_FALSE(model.hover);
-    press(kSource, {300, 150});
-    EXPECT_EQ(model.held, (Handle{kSource, 1, 1, -1}));
+    press(project::kSource, {300, 150});
+    EXPECT_EQ(model.held, (Handle{project::kSource, 1, 1, -1}));
     release();
     EXPECT_EQ(features().size(), 3U);
   }
@@ -144,9 +144,9 @@ TEST_F(GestureSession, AClickMovesNothingEvenIfTheHandTrembles) {
   mark_three_lines();
   edges = [](SideIndex, cv::Point2d position) { return position + cv::Point2d(5, 5); };
   for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {  // an end, and a whole
-    press(kSource, start);
-    move(kSource, start + cv::Point2d(2, -2));
-    move(kSource, start + cv::Point2d(3, 1));
+    press(project::kSource, start);
+    move(project::kSource, start + cv::Point2d(2, -2));
+    move(project::kSource, start + cv::Point2d(3, 1));
     release();
     EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 150}, {300, 150}}));
     EXPECT_EQ(selected(), Indices{1});
@@ -157,15 +157,15 @@ TEST_F(GestureSession, AClickMovesNothingEvenIfTheHandTrembles) {
 TEST_F(GestureSession, ADragThatComesBackChangesNothing) {
   mark_three_lines();
   key('a');
-  model.document.move_selected(kSource, {1.0 / 3, 0});
+  model.document.move_selected(project::kSource, {1.0 / 3, 0});
   const std::vector<cv::Point2d> before = features()[1].places[project::kSource];
   for (const cv::Point2d start : {cv::Point2d(297, 152), cv::Point2d(200, 152)}) {
-    press(kSource, start);
-    move(kSource, start + cv::Point2d(20, 0));
+    press(project::kSource, start);
+    move(project::kSource, start + cv::Point2d(20, 0));
     EXPECT_NE(features()[1].places[project::kSource], before);
-    move(kSource, start + cv::Point2d(1, 0));
+    move(project::kSource, start + cv::Point2d(1, 0));
     EXPECT_NE(features()[1].places[project::kSource], before) << "a drag goes on as finely as the hand";
-    move(kSource, start);
+    move(project::kSource, start);
     EXPECT_EQ(features()[1].places[project::kSource], before);
     release();
   }
@@ -175,62 +175,62 @@ TEST_F(GestureSession, ADragThatComesBackChangesNothing) {
 TEST_F(GestureSession, AClickOnOneOfSeveralSelectsItAlone) {
   mark_three_lines();
   key('a');
-  click(kSource, {200, 150});
+  click(project::kSource, {200, 150});
   EXPECT_EQ(selected(), Indices{1});
-  EXPECT_EQ(model.held, (Handle{kSource, 1, -1, -1}));
+  EXPECT_EQ(model.held, (Handle{project::kSource, 1, -1, -1}));
   key('a');
-  drag(kSource, {200, 150}, {200, 160});
+  drag(project::kSource, {200, 150}, {200, 160});
   EXPECT_EQ(selected(), (Indices{0, 1, 2})) << "a drag moves them all";
   key('5');
-  click(kSource, {30, 30});
+  click(project::kSource, {30, 30});
   key('a');
-  click(kSource, {200, 150});
+  click(project::kSource, {200, 150});
   EXPECT_EQ(document().selection().vertices, Indices{12});
 }
 
 TEST_F(GestureSession, CtrlDrawsWhereAMarkCouldBeDragged) {
   mark_three_lines();
   keys.ctrl = true;
-  drag(kSource, {297, 152}, {350, 220});
+  drag(project::kSource, {297, 152}, {350, 220});
   ASSERT_EQ(features().size(), 4U);
   EXPECT_EQ(features()[3].places[project::kSource], (std::vector<cv::Point2d>{{300, 150}, {350, 220}}))
       << "from the end under it";
   EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   key('3');
-  click(kSource, {200, 250});
+  click(project::kSource, {200, 250});
   EXPECT_EQ(features().size(), 5U);
   key('1');
-  click(kSource, {200, 250});
+  click(project::kSource, {200, 250});
   EXPECT_EQ(features().size(), 5U) << "elsewhere it selects";
 }
 
 TEST_F(GestureSession, HiddenMarksAreNotHeldAndDrawingShowsThem) {
   mark_three_lines();
   key('m');
-  move(kSource, {300, 150});
+  move(project::kSource, {300, 150});
   EXPECT_FALSE(model.hover);
-  drag(kSource, {305, 150}, {350, 220});
+  drag(project::kSource, {305, 150}, {350, 220});
   EXPECT_EQ(features().size(), 4U);
   EXPECT_EQ(features()[1].places[project::kSource][1], cv::Point2d(300, 150));
   EXPECT_TRUE(model.switches.features);
 }
 
 TEST_F(GestureSession, AMarkThatDoesNothingSaysSo) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   EXPECT_NE(model.message.find("put its partner right"), std::string::npos) << model.message;
   key('5');
-  click(kSource, {30, 80});
+  click(project::kSource, {30, 80});
   ASSERT_EQ(document().method(), project::MethodName::kMesh);
   for (const char tool : {'2', '3', '4'}) {
     key(tool);
-    drag(kSource, {110.0 + tool, 180}, {300, 230});
-    click(kSource, {120.0 + tool, 280});
+    drag(project::kSource, {110.0 + tool, 180}, {300, 230});
+    click(project::kSource, {120.0 + tool, 280});
     key(kKeyEnter);
     EXPECT_NE(model.message.find("does nothing while the mesh warps"), std::string::npos) << model.message;
   }
   click(Command::kNextMethod);
   key('5');
-  press(kSource, {200, 150});
+  press(project::kSource, {200, 150});
   EXPECT_NE(model.message.find("the lines warp"), std::string::npos) << model.message;
 }
 
@@ -247,19 +247,19 @@ TEST_F(GestureSession, SlidersAreTakenByTheirTracksOnly) {
 TEST_F(GestureSession, TheBodyDragsTheFeatureAndAllThatAreSelectedWithIt) {
   mark_three_lines();
   key('1');
-  drag(kSource, {200, 150}, {210, 160});
+  drag(project::kSource, {200, 150}, {210, 160});
   EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{110, 160}, {310, 160}}));
   EXPECT_EQ(features()[1].places[project::kDestination][0], cv::Point2d(100, 150)) << "on that side alone";
   keys.shift = true;
-  click(kSource, {200, 50});
+  click(project::kSource, {200, 50});
   EXPECT_EQ(selected(), (Indices{0, 1}));
   keys.shift = false;
-  drag(kSource, {200, 50}, {195, 40});
+  drag(project::kSource, {200, 50}, {195, 40});
   EXPECT_EQ(features()[0].places[project::kSource][0], cv::Point2d(95, 40));
   EXPECT_EQ(features()[1].places[project::kSource][0], cv::Point2d(105, 150));
   EXPECT_EQ(features()[2].places[project::kSource][0], cv::Point2d(100, 250));
   keys.shift = true;
-  click(kSource, {195, 40});
+  click(project::kSource, {195, 40});
   EXPECT_EQ(selected(), Indices{1});
   EXPECT_EQ(steps_back(), 3 + 2);
 }
@@ -267,25 +267,25 @@ TEST_F(GestureSession, TheBodyDragsTheFeatureAndAllThatAreSelectedWithIt) {
 TEST_F(GestureSession, RubberBandsSelectAndAdd) {
   mark_three_lines();
   key('1');
-  drag(kSource, {90, 260}, {110, 140});
+  drag(project::kSource, {90, 260}, {110, 140});
   EXPECT_EQ(selected(), (Indices{1, 2}));
   keys.shift = true;
-  drag(kDestination, {90, 40}, {320, 60});
+  drag(project::kDestination, {90, 40}, {320, 60});
   EXPECT_EQ(selected(), (Indices{0, 1, 2}));
   keys.shift = false;
-  click(kSource, {20, 20});
+  click(project::kSource, {20, 20});
   EXPECT_TRUE(selected().empty());
   EXPECT_FALSE(model.sketch);
   key('2');
   keys.shift = true;
-  drag(kSource, {90, 260}, {110, 240});
+  drag(project::kSource, {90, 260}, {110, 240});
   EXPECT_EQ(selected(), Indices{2}) << "with Shift in any tool";
   EXPECT_EQ(features().size(), 3U);
 }
 
 TEST_F(GestureSession, APointIsPlacedAndAdjustedInOneStep) {
   key('3');
-  drag(kDestination, {100, 100}, {120, 110});
+  drag(project::kDestination, {100, 100}, {120, 110});
   ASSERT_EQ(features().size(), 1U);
   EXPECT_EQ(features()[0].places[project::kDestination], (std::vector<cv::Point2d>{{120, 110}}));
   EXPECT_EQ(features()[0].places[project::kSource], (std::vector<cv::Point2d>{{100, 100}}));
@@ -295,7 +295,7 @@ TEST_F(GestureSession, APointIsPlacedAndAdjustedInOneStep) {
 TEST_F(GestureSession, CurvesEndOpenOrClosed) {
   const std::vector<cv::Point2d> places = {{100, 100}, {200, 60}, {300, 100}};
   const auto click_all = [&] {
-    for (const cv::Point2d place : places) click(kSource, place);
+    for (const cv::Point2d place : places) click(project::kSource, place);
   };
   key('4');
   click_all();
@@ -308,14 +308,14 @@ TEST_F(GestureSession, CurvesEndOpenOrClosed) {
   key('x');
 
   click_all();
-  mouse(What::kDoubleClick, at(kSource, places.back()));
+  mouse(What::kDoubleClick, at(project::kSource, places.back()));
   ASSERT_EQ(features().size(), 1U);
   EXPECT_EQ(features()[0].places[project::kSource], places);
   EXPECT_FALSE(is_closed(features()[0]));
   key('x');
 
   click_all();
-  click(kSource, places.front());
+  click(project::kSource, places.front());
   ASSERT_EQ(features().size(), 1U);
   EXPECT_TRUE(is_closed(features()[0]));
   EXPECT_FALSE(model.sketch);
@@ -323,21 +323,21 @@ TEST_F(GestureSession, CurvesEndOpenOrClosed) {
 
 TEST_F(GestureSession, ACurveIsTakenBackPointByPointOrWhole) {
   key('4');
-  click(kSource, {100, 100});
-  click(kSource, {200, 60});
+  click(project::kSource, {100, 100});
+  click(project::kSource, {200, 60});
   key(kKeyBackspace);
   EXPECT_EQ(model.sketch->points.size(), 1U);
   key(kKeyEnter);
   EXPECT_FALSE(model.sketch) << "one point is no curve";
-  click(kSource, {100, 100});
+  click(project::kSource, {100, 100});
   key(kKeyBackspace);
   EXPECT_FALSE(model.sketch);
-  click(kSource, {100, 100});
-  click(kSource, {200, 60});
+  click(project::kSource, {100, 100});
+  click(project::kSource, {200, 60});
   key(kKeyEscape);
   EXPECT_FALSE(model.sketch);
-  click(kSource, {100, 100});
-  click(kSource, {200, 60});
+  click(project::kSource, {100, 100});
+  click(project::kSource, {200, 60});
   key('y');
   EXPECT_EQ(model.sketch->points.size(), 2U) << "there is nothing to redo";
   click(Command::kUndo);
@@ -351,8 +351,8 @@ TEST_F(GestureSession, ACurveIsTakenBackPointByPointOrWhole) {
 TEST_F(GestureSession, AnotherToolEndsTheCurve) {
   for (const bool by_key : {false, true}) {
     key('4');
-    click(kSource, {100, 100});
-    click(kSource, {200, 60});
+    click(project::kSource, {100, 100});
+    click(project::kSource, {200, 60});
     key('4');
     EXPECT_TRUE(model.sketch) << "the same tool goes on";
     if (by_key) {
@@ -369,27 +369,27 @@ TEST_F(GestureSession, AnotherToolEndsTheCurve) {
 
 TEST_F(GestureSession, MeshesAreMadeDraggedGrownAndShrunk) {
   key('5');
-  click(kSource, {30, 30});
+  click(project::kSource, {30, 30});
   ASSERT_TRUE(document().has_mesh());
   EXPECT_EQ(document().method(), project::MethodName::kMesh);
   const auto vertex = [&](SideIndex side, int i) {
     return document().mesh_vertices(side)[static_cast<std::size_t>(i)];
   };
-  drag(kDestination, {200, 150}, {210, 140});
-  EXPECT_EQ(vertex(kDestination, 12), cv::Point2d(210, 140));
-  EXPECT_EQ(vertex(kSource, 12), cv::Point2d(200, 150));
+  drag(project::kDestination, {200, 150}, {210, 140});
+  EXPECT_EQ(vertex(project::kDestination, 12), cv::Point2d(210, 140));
+  EXPECT_EQ(vertex(project::kSource, 12), cv::Point2d(200, 150));
   EXPECT_EQ(document().selection().vertices, Indices{12});
   type("c");  // the mouse is on the vertex, where there is no room: a little beside it
   EXPECT_EQ(document().project().mesh->columns, 6);
-  move(kSource, {50, 37});
+  move(project::kSource, {50, 37});
   type("r");
   EXPECT_EQ(document().project().mesh->rows, 6);
-  EXPECT_NEAR(vertex(kSource, 6).y, 37, 1e-9);
-  click(kSource, {100, 150});
+  EXPECT_NEAR(vertex(project::kSource, 6).y, 37, 1e-9);
+  click(project::kSource, {100, 150});
   type(",.");
   EXPECT_EQ(document().project().mesh->columns, 5);
   EXPECT_EQ(document().project().mesh->rows, 6) << "the vertex has gone with its column";
-  click(kSource, {0, 0});
+  click(project::kSource, {0, 0});
   type(".");
   EXPECT_EQ(document().project().mesh->rows, 6) << "the border stays";
   EXPECT_EQ(steps_back(), 5);
@@ -397,61 +397,61 @@ TEST_F(GestureSession, MeshesAreMadeDraggedGrownAndShrunk) {
 
 TEST_F(GestureSession, VerticesThatABorderHeldBackComeBackUnderTheHand) {
   key('5');
-  click(kSource, {30, 30});
+  click(project::kSource, {30, 30});
   keys.shift = true;
-  drag(kSource, {90, 140}, {210, 160});
+  drag(project::kSource, {90, 140}, {210, 160});
   keys.shift = false;
   EXPECT_EQ(document().selection().vertices, (Indices{11, 12}));
-  press(kSource, {100, 150});
-  move(kSource, {-50, 150});
-  EXPECT_EQ(document().mesh_vertices(kSource)[11], cv::Point2d(0, 150));
-  move(kSource, {90, 150});
-  EXPECT_EQ(document().mesh_vertices(kSource)[11], cv::Point2d(90, 150));
-  EXPECT_EQ(document().mesh_vertices(kSource)[12], cv::Point2d(190, 150));
+  press(project::kSource, {100, 150});
+  move(project::kSource, {-50, 150});
+  EXPECT_EQ(document().mesh_vertices(project::kSource)[11], cv::Point2d(0, 150));
+  move(project::kSource, {90, 150});
+  EXPECT_EQ(document().mesh_vertices(project::kSource)[11], cv::Point2d(90, 150));
+  EXPECT_EQ(document().mesh_vertices(project::kSource)[12], cv::Point2d(190, 150));
   release();
   EXPECT_EQ(steps_back(), 2);
 }
 
 TEST_F(GestureSession, MeshKeysWaitForTheMeshTool) {
   key('5');
-  click(kSource, {30, 30});
+  click(project::kSource, {30, 30});
   key('2');
-  move(kSource, {50, 37});
+  move(project::kSource, {50, 37});
   type("cr");
   EXPECT_EQ(document().project().mesh->columns, 5);
   EXPECT_EQ(document().project().mesh->rows, 5);
 }
 
 TEST_F(GestureSession, SnapsToEndsThenToEdgesUnlessTold) {
-  drag(kSource, {100, 50}, {300, 50});
+  drag(project::kSource, {100, 50}, {300, 50});
   edges = [](SideIndex, cv::Point2d position) { return cv::Point2d(position.x, 200); };
-  press(kSource, {100, 196});
+  press(project::kSource, {100, 196});
   EXPECT_EQ(model.snapped, cv::Point2d(100, 200));
   EXPECT_EQ(asked.radius, kEdgeReach);
   EXPECT_EQ(asked.zoom, 1);
-  move(kSource, {296, 55});
+  move(project::kSource, {296, 55});
   EXPECT_EQ(model.snapped, cv::Point2d(300, 50)) << "ends first";
   release();
   EXPECT_FALSE(model.snapped);
   EXPECT_EQ(features()[1].places[project::kSource], (std::vector<cv::Point2d>{{100, 200}, {300, 50}}));
 
   keys.alt = true;
-  drag(kSource, {150, 120}, {250, 120});
+  drag(project::kSource, {150, 120}, {250, 120});
   EXPECT_EQ(features()[2].places[project::kSource][0], cv::Point2d(150, 120));
   keys.alt = false;
   key('b');
-  drag(kSource, {150, 140}, {250, 140});
+  drag(project::kSource, {150, 140}, {250, 140});
   EXPECT_EQ(features()[3].places[project::kSource][0], cv::Point2d(150, 140));
   key('b');
   edges = nullptr;
-  drag(kSource, {150, 140}, {251, 125});
+  drag(project::kSource, {150, 140}, {251, 125});
   EXPECT_EQ(features()[3].places[project::kSource][0], cv::Point2d(250, 120)) << "while an end is dragged, too";
 }
 
 TEST_F(GestureSession, ReachesAreThoseOfTheScreen) {
   model.source_view.zoom = 4;
   edges = [](SideIndex, cv::Point2d) { return std::nullopt; };
-  press(kSource, {200, 150});
+  press(project::kSource, {200, 150});
   EXPECT_EQ(asked.radius, kEdgeReach / 4);
   EXPECT_EQ(asked.zoom, 4);
   release();
@@ -485,7 +485,7 @@ TEST(GestureViews, TheWheelKeepsWhatIsUnderTheMouseStillAndTheOtherPictureFollow
 
 TEST_F(GestureSession, FreePicturesZoomAloneAndMeetAgainWhenLocked) {
   key('t');
-  wheel(at(kSource, {50, 50}), 3);
+  wheel(at(project::kSource, {50, 50}), 3);
   EXPECT_EQ(model.destination_view, (View{1, {200, 150}}));
   key('t');
   EXPECT_EQ(model.destination_view, model.source_view);
@@ -494,7 +494,7 @@ TEST_F(GestureSession, FreePicturesZoomAloneAndMeetAgainWhenLocked) {
 TEST_F(GestureSession, RightAndMiddlePanAndTheResultByTheLeft) {
   for (const Button button : {Button::kRight, Button::kMiddle}) {
     model.source_view = model.destination_view = {1, {200, 150}};
-    drag(at(kSource, {100, 100}), at(kSource, {130, 90}), button);
+    drag(at(project::kSource, {100, 100}), at(project::kSource, {130, 90}), button);
     EXPECT_EQ(model.source_view.centre, cv::Point2d(170, 160));
     EXPECT_EQ(model.destination_view.centre, cv::Point2d(170, 160));
   }
@@ -511,9 +511,9 @@ TEST_F(GestureSession, RightAndMiddlePanAndTheResultByTheLeft) {
 
 TEST_F(GestureSession, ADoubleClickOnBlankFits) {
   const View fit = fitted(kPicture, layout().pane(Pane::kSource).size());
-  wheel(at(kSource, {50, 50}), 3);
-  click(kSource, {100, 100});
-  mouse(What::kDoubleClick, at(kSource, {100, 100}));
+  wheel(at(project::kSource, {50, 50}), 3);
+  click(project::kSource, {100, 100});
+  mouse(What::kDoubleClick, at(project::kSource, {100, 100}));
   release();
   EXPECT_EQ(model.source_view, fit);
   EXPECT_EQ(model.destination_view, fit);
@@ -523,21 +523,21 @@ TEST_F(GestureSession, ADoubleClickOnBlankFits) {
 TEST_F(GestureSession, EscInTheMiddleOfAnythingRestores) {
   mark_three_lines();
   key('3');
-  click(kSource, {350, 100});
+  click(project::kSource, {350, 100});
   key('5');
-  click(kSource, {30, 30});
+  click(project::kSource, {30, 30});
   struct Case {
     char tool;
     cv::Point from, to;
   };
   const Case cases[] = {
-      {'1', at(kSource, {300, 150}), at(kSource, {250, 200})},       // an end
-      {'1', at(kSource, {200, 150}), at(kDestination, {250, 200})},  // a line
-      {'1', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a rubber band
-      {'2', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a new line
-      {'3', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a new point
-      {'4', at(kSource, {20, 20}), at(kSource, {350, 280})},         // a new curve
-      {'5', at(kSource, {200, 150}), at(kSource, {230, 180})},       // a vertex
+      {'1', at(project::kSource, {300, 150}), at(project::kSource, {250, 200})},       // an end
+      {'1', at(project::kSource, {200, 150}), at(project::kDestination, {250, 200})},  // a line
+      {'1', at(project::kSource, {20, 20}), at(project::kSource, {350, 280})},         // a rubber band
+      {'2', at(project::kSource, {20, 20}), at(project::kSource, {350, 280})},         // a new line
+      {'3', at(project::kSource, {20, 20}), at(project::kSource, {350, 280})},         // a new point
+      {'4', at(project::kSource, {20, 20}), at(project::kSource, {350, 280})},         // a new curve
+      {'5', at(project::kSource, {200, 150}), at(project::kSource, {230, 180})},       // a vertex
       {'1', on_slider(Tuning::kA, 0.2), on_slider(Tuning::kA, 0.9)},
   };
   const project::Project before = document().project();

@@ -117,7 +117,7 @@ struct Hand {
 class GestureSession : public testing::Test, public Hand {
  protected:
   void mark_three_lines() {
-    for (const double y : {50.0, 150.0, 250.0}) drag(kSource, {100, y}, {300, y});
+    for (const double y : {50.0, 150.0, 250.0}) drag(project::kSource, {100, y}, {300, y});
   }
 };
 

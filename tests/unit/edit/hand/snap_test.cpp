@@ -120,17 +120,17 @@ Document marked() {
 
 TEST(NearestEnd, IsTheNearestOnThatSideWithinTheRadius) {
   const Document document = marked();
-  EXPECT_EQ(nearest_end(document, kSource, {51, 10}, 8, -1), cv::Point2d(50, 10));
-  EXPECT_EQ(nearest_end(document, kSource, {52, 10}, 8, -1), cv::Point2d(53, 10));
-  EXPECT_EQ(nearest_end(document, kDestination, {52, 10}, 8, -1), std::nullopt);
-  EXPECT_EQ(nearest_end(document, kDestination, {110, 18}, 8, -1), cv::Point2d(110, 10));
-  EXPECT_EQ(nearest_end(document, kDestination, {110, 18.01}, 8, -1), std::nullopt);
+  EXPECT_EQ(nearest_end(document, project::kSource, {51, 10}, 8, -1), cv::Point2d(50, 10));
+  EXPECT_EQ(nearest_end(document, project::kSource, {52, 10}, 8, -1), cv::Point2d(53, 10));
+  EXPECT_EQ(nearest_end(document, project::kDestination, {52, 10}, 8, -1), std::nullopt);
+  EXPECT_EQ(nearest_end(document, project::kDestination, {110, 18}, 8, -1), cv::Point2d(110, 10));
+  EXPECT_EQ(nearest_end(document, project::kDestination, {110, 18.01}, 8, -1), std::nullopt);
 }
 
 TEST(NearestEnd, LeavesOneFeatureOut) {
   const Document document = marked();
-  EXPECT_EQ(nearest_end(document, kSource, {50, 10}, 8, 0), cv::Point2d(53, 10));
-  EXPECT_EQ(nearest_end(document, kSource, {12, 10}, 8, 0), std::nullopt);
+  EXPECT_EQ(nearest_end(document, project::kSource, {50, 10}, 8, 0), cv::Point2d(53, 10));
+  EXPECT_EQ(nearest_end(document, project::kSource, {12, 10}, 8, 0), std::nullopt);
 }
 
 }  // namespace

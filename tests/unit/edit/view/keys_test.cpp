@@ -51,27 +51,27 @@ std::set<int> codes_of(std::string_view keys) {
 bool does_something(int code) {
   const std::function<void(Hand&)> situations[] = {[](Hand& hand) {
                                                      for (const double y : {50.0, 150.0, 250.0})
-                                                       hand.drag(kSource, {100, y}, {300, y});
+                                                       hand.drag(project::kSource, {100, y}, {300, y});
                                                      hand.key('z');
                                                      hand.model.t = 0.3;
-                                                     hand.move(kSource, {37, 37});
+                                                     hand.move(project::kSource, {37, 37});
                                                    },
                                                    [](Hand& hand) {
                                                      hand.key('5');
-                                                     hand.click(kSource, {30, 30});
-                                                     hand.click(kSource, {200, 150});
-                                                     hand.move(kSource, {37, 37});
+                                                     hand.click(project::kSource, {30, 30});
+                                                     hand.click(project::kSource, {200, 150});
+                                                     hand.move(project::kSource, {37, 37});
                                                    },
                                                    [](Hand& hand) {
                                                      hand.key('4');
                                                      for (const double x : {50.0, 150.0, 200.0})
-                                                       hand.click(kSource, {x, 150});
+                                                       hand.click(project::kSource, {x, 150});
                                                    }};
   return std::ranges::any_of(situations, [&](const auto& arrange) {
     Hand hand;
     arrange(hand);
     hand.model.message.clear();
-    hand.wheel(hand.at(kSource, {200, 150}), 1);
+    hand.wheel(hand.at(project::kSource, {200, 150}), 1);
     const std::string before = told(hand.model, {});
     return told(hand.model, hand.key(code)) != before;
   });
