@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # clang-tidy over the product's sources; needs a release build, for its compilation database.
-#   scripts/tidy.sh          what has changed since the commit in .ci/tidy-base, at which all of them passed
-#   scripts/tidy.sh --all    all; afterwards .ci/tidy-base names the current commit
+#   scripts/tidy.sh          what has changed since the commit in .ci/tidy-base: a starting point, no proof for what is older
+#   scripts/tidy.sh --all    all; once they pass, .ci/tidy-base names the current commit
 # A changed header is checked through the source of its name, or else through one source that includes it. Changed checks
 # (.clang-tidy), or a history that lacks the commit, mean all.
 set -euo pipefail

@@ -88,6 +88,7 @@ struct Codec<T> {
   }
   static json::Node schema(const Facts&) {
     std::vector<std::string_view> words;
+    words.reserve(std::size(Words<T>::kTable));
     for (const auto& entry : Words<T>::kTable) words.push_back(entry.first);
     return strings_schema(words);
   }
