@@ -1,5 +1,5 @@
 #pragma once
-// The one exception type for bad input from people and files. Caught once, in cli/main.cpp.
+// The one exception type for bad input from people and files. cli/program.cpp turns it into an exit code.
 
 #include <stdexcept>
 #include <string>
