@@ -1,19 +1,14 @@
 #include "cli/edit/view/keys.h"
 
-#include <cctype>
 #include <iterator>
 #include <utility>
+
+#include "base/words.h"
 
 namespace morphkit::edit {
 namespace {
 
 using Rows = std::vector<KeyRow>;
-
-std::string lower(std::string_view label) {
-  std::string word(label);
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word;
-}
 
 /// The labels of a table: "dissolve, source, grid".
 template <typename Table>
