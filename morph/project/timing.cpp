@@ -257,7 +257,7 @@ Node Codec<Timing>::full_schema() {
   for (const auto& [word, easing] : Words<Easing>::kTable) {
     if (!std::holds_alternative<KeysEase>(easing)) names.push_back(word);
     std::visit(
-        [&]<typename Ease>(const Ease&) {
+        [&, word = word]<typename Ease>(const Ease&) {
           if (!has_parameters<Ease>(word)) return plain.push_back(word);
           Node ease = Node::object();
           ease.set("const", Node::string(std::string(word)));
