@@ -1,4 +1,4 @@
-// One key of the document changed by its address: the document as a tree, the value put in its place, read again.
+// Keys of the document changed by their addresses: the document as a tree, the values put in their places, read again.
 // So every rule and every message is the one that a file meets.
 
 #include "morph/project/set_value.h"
@@ -86,20 +86,41 @@ Place find_place(Place at, std::string_view path) {
   return at;
 }
 
-}  // namespace
-
-void set_value(Project& project, std::string_view path, std::string_view value) {
+/// Puts all values into one tree and reads that.
+Project with_values(const Project& project, std::span<const Setting> settings) {
   Node root = build(project, false);
   const Node full = build(project, true);
-  *find_place({&root, &full}, path).brief = value_of(value);
+  for (const Setting& setting : settings) *find_place({&root, &full}, setting.path).brief = value_of(setting.value);
+  const std::string& path = settings.back().path;
   try {
-    Project changed = read_project({std::string(path), root});
+    Project changed = read_project({path, root});
     changed.file = project.file;
     changed.original = project.original;
-    project = std::move(changed);
+    return changed;
   } catch (const Error& error) {
-    throw Error(error.code(), std::string(path), error.message());
+    throw Error(error.code(), path, error.message());
   }
+}
+
+}  // namespace
+
+void set_values(Project& project, std::span<const Setting> settings) {
+  if (settings.empty()) return;
+  try {
+    project = with_values(project, settings);
+    return;
+  } catch (const Error&) {
+    if (settings.size() == 1) throw;
+  }
+  // One by one: a setting may continue an earlier one (the delay of an easing), and the message names the wrong one.
+  Project changed = project;
+  for (const Setting& setting : settings) changed = with_values(changed, {&setting, 1});
+  project = std::move(changed);
+}
+
+void set_value(Project& project, std::string_view path, std::string_view value) {
+  const Setting setting{std::string(path), std::string(value)};
+  set_values(project, {&setting, 1});
 }
 
 }  // namespace morphkit::project

@@ -1,18 +1,29 @@
 #pragma once
-// One key of the document, changed by its address.
+// Keys of the document, changed by their addresses.
 
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "morph/project/project.h"
 
 namespace morphkit::project {
 
-/// Sets one key by its address, as `--set` does: `warp.b`, `output.size`, `features/nose.point.source`,
-/// `groups/hair.transition.shape`. Dots walk keys, "/" enters a list by id.
-/// @param value  JSON; a value that is not JSON is taken as a string: `lanczos`.
+/// A key and what it is to be.
+struct Setting {
+  /// The address: `warp.b`, `output.size`, `features/nose.point.source`, `groups/hair.transition.shape`. Dots walk
+  /// keys, "/" enters a list by id.
+  std::string path;
+  std::string value;  ///< JSON; what is not JSON is taken as a string: `lanczos`
+};
+
+/// Sets keys, in order. They need to fit together in the end only: one may need another that comes later.
 /// @throws Error kBadInput with the place `path` and the message that a file would get: an unknown key with the nearest
 ///         one, a value out of range with the range. `project` is then unchanged.
-/// Cost: writing and reading the document once.
+/// Cost: writing and reading the document once; once per setting if one continues another (or is wrong).
+void set_values(Project& project, std::span<const Setting> settings);
+
+/// Sets one key.
 void set_value(Project& project, std::string_view path, std::string_view value);
 
 }  // namespace morphkit::project

@@ -55,6 +55,41 @@ TEST(SetValue, ReachesWhatTheDocumentDoesNotSay) {
   EXPECT_TRUE(test::contains(to_text(project), R"("warp": {"between": "centre"})"));
 }
 
+TEST(SetValue, SeveralNeedToFitTogetherInTheEndOnly) {
+  Project project = parse(testing::with_feature(R"({"id": "x", "curve": {"source": [[0, 0], [9, 0], [9, 9]],
+    "destination": [[0, 0], [9, 0], [9, 9]], "spline": "polyline"}})"),
+                          "pair.json");
+  const Setting open_ended[] = {{"features/x.curve.spline", "bezier"},
+                                {"features/x.curve.source", "[[0, 0], [1, 0], [2, 0], [3, 3]]"},
+                                {"features/x.curve.destination", "[[0, 0], [1, 0], [2, 0], [3, 3]]"}};
+  EXPECT_THROW(set_value(project, open_ended[0].path, open_ended[0].value), Error);
+  set_values(project, open_ended);
+  EXPECT_EQ(project.features[0].places[kSource].size(), 4U);
+}
+
+TEST(SetValue, OneMayContinueAnother) {
+  Project project = parse(testing::with(""), "pair.json");
+  const Setting easing[] = {{"transition.shape", "sine"}, {"transition.shape.delay", "0.5"}};
+  set_values(project, easing);
+  EXPECT_TRUE(test::contains(to_text(project), R"({"ease": "sine", "delay": 0.5})"));
+}
+
+TEST(SetValue, OfSeveralTheLastWinsAndTheWrongOneIsNamed) {
+  Project project = parse(testing::with(""), "pair.json");
+  const Setting twice[] = {{"output.frames", "5"}, {"output.frames", "7"}};
+  set_values(project, twice);
+  EXPECT_EQ(project.output.frames, 7);
+  const Project before = project;
+  const Setting wrong[] = {{"output.frames", "9"}, {"warp.b", "9"}, {"output.start", "3"}};
+  try {
+    set_values(project, wrong);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "warp.b: 9 is out of range; expected 0 to 8");
+  }
+  EXPECT_TRUE(same_document(project, before));
+}
+
 TEST(SetValue, AnUnknownPathNamesTheNearest) {
   EXPECT_EQ(refusal("warp.fitler", "area"), "warp.fitler: unknown key \"fitler\"; did you mean \"filter\"?");
   EXPECT_EQ(refusal("wrap.filter", "area"), "wrap.filter: unknown key \"wrap\"; did you mean \"warp\"?");
