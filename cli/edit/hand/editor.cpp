@@ -39,13 +39,12 @@ bool same_pictures(const project::Project& a, const project::Project& b) {
   });
 }
 
-/// A project without a file begins empty, so that marks it came with are the first change.
+/// The project as its file has it; without a file, its pictures. What it came with beyond that is the first change.
 project::Project beginning(const project::Project& project) {
-  project::Project begun = project;
-  if (project.original) return begun;
-  begun.features.clear();
-  begun.groups.clear();
-  begun.mesh.reset();
+  if (project.original) return project::parse(*project.original, project.file);
+  project::Project begun;
+  begun.pictures = project.pictures;
+  begun.file = project.file;
   return begun;
 }
 

@@ -198,6 +198,20 @@ TEST_F(EditorSession, FeaturesToBeginWithAreNotSavedYet) {
   EXPECT_NE(editor_->title().front(), '*');
 }
 
+TEST_F(EditorSession, WhatAProjectHasBeyondItsFileIsAChange) {
+  const std::string text = R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"}})";
+  test::write_text(file(), text);
+  project::Project changed = project::load(file());
+  changed.output.frames = 9;
+  open(changed);
+  EXPECT_EQ(editor_->title().front(), '*');
+  EXPECT_EQ(project().output.frames, 9);
+  EXPECT_EQ(test::read_text(file()), text);
+  press('z');
+  EXPECT_NE(editor_->title().front(), '*');
+  EXPECT_EQ(project().output.frames, 48);
+}
+
 TEST_F(EditorSession, TriesAgainWhenAnAutosaveFails) {
   open();
   fs::create_directory(autosave());
