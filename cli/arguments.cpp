@@ -21,41 +21,6 @@ std::optional<int> positive_number(std::string_view text) {
 
 }  // namespace
 
-const std::map<std::string, warp::Filter>& filter_names() {
-  static const std::map<std::string, warp::Filter> names{
-      {"nearest", warp::Filter::kNearest}, {"bilinear", warp::Filter::kBilinear}, {"bicubic", warp::Filter::kBicubic},
-      {"area", warp::Filter::kArea},       {"mitchell", warp::Filter::kMitchell}, {"lanczos", warp::Filter::kLanczos}};
-  return names;
-}
-
-const std::map<std::string, warp::FieldAccuracy>& field_names() {
-  static const std::map<std::string, warp::FieldAccuracy> names{{"adaptive", warp::FieldAccuracy::kAdaptive},
-                                                                {"exact", warp::FieldAccuracy::kExact}};
-  return names;
-}
-
-const std::map<std::string, project::Fit>& fit_names() {
-  static const std::map<std::string, project::Fit> names{{"contain", project::Fit::kContain},
-                                                         {"cover", project::Fit::kCover},
-                                                         {"stretch", project::Fit::kStretch},
-                                                         {"none", project::Fit::kNone}};
-  return names;
-}
-
-const std::map<std::string, warp::MeshSpline>& spline_names() {
-  static const std::map<std::string, warp::MeshSpline> names{{"monotone", warp::MeshSpline::kMonotone},
-                                                             {"catmull-rom", warp::MeshSpline::kCatmullRom},
-                                                             {"linear", warp::MeshSpline::kLinear}};
-  return names;
-}
-
-const std::map<std::string, warp::PassOrder>& order_names() {
-  static const std::map<std::string, warp::PassOrder> names{{"auto", warp::PassOrder::kAuto},
-                                                            {"rows-first", warp::PassOrder::kRowsFirst},
-                                                            {"columns-first", warp::PassOrder::kColumnsFirst}};
-  return names;
-}
-
 cv::Size parse_size(const std::string& text, const std::string& option) {
   const std::size_t cross = text.find('x');
   const std::string_view whole = text;
@@ -69,12 +34,6 @@ cv::Size parse_size(const std::string& text, const std::string& option) {
                 fmt::format("'{}' is too large; at most {} pixels a side and {:.0f} megapixels in all", text,
                             project::kMaxSize, project::kMaxArea / 1e6));
   return {*width, *height};
-}
-
-project::Rate parse_fps(const std::string& text) {
-  if (const auto rate = project::parse_rate(text)) return *rate;
-  throw Error(ErrorCode::kUsage, "--fps",
-              fmt::format("'{}' is no rate; write 25, 29.97 or 30000/1001, at most {}", text, project::kMaxFps));
 }
 
 void require_moment(double t) {

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/works.h"
 
@@ -18,10 +17,8 @@ void add_bench(CommandLine& line, Session& session) {
                                  kInspectGroup},
                                 work_of(session, &Works::bench, options));
   command.path("PROJECT", options->project, "A project file, instead of random lines over painted pictures", "");
-  command.text("--size", options->size, "Size of a frame in pixels; 1920x1080", "WxH");
   command.integer("--lines", options->lines, "Number of random lines; 50", "N", {0, 100'000});
-  command.choice("--filter", options->filter, "nearest, bilinear, bicubic, area, mitchell, lanczos", "FILTER",
-                 words_of(filter_names()));
+  declare_changes(command, options->changes, {KeyOption::kSize, KeyOption::kFilter});
   command.flag("--json", options->json, "Print the result as JSON");
 }
 

@@ -3,7 +3,8 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
+
+#include "cli/project_argument.h"
 
 namespace morphkit::cli {
 
@@ -13,9 +14,8 @@ struct Session;
 
 struct BenchOptions {
   std::filesystem::path project;  ///< empty: lines at random over painted pictures
-  std::string size;               ///< "1280x720"; empty: as the project says, or 1920x1080
+  ProjectChanges changes;         ///< of either
   std::optional<int> lines;       ///< of painted pictures; nothing: 50
-  std::string filter;             ///< empty: as the project says
   bool json = false;
 };
 

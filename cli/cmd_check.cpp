@@ -16,8 +16,7 @@ void add_check(CommandLine& line, Session& session) {
        "  morphkit check pair.json --json",
        kInspectGroup},
       work_of(session, &Works::check, options));
-  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
-  command.path("--features", options->features, "Features for two pictures", "F");
+  declare_project(command, options->project);
   command.flag("--json", options->json, "Print the findings as JSON");
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 // morphkit check PROJECT: what will tear, fold or be lost, before anybody renders it.
 
-#include <filesystem>
-#include <vector>
+#include "cli/project_argument.h"
 
 namespace morphkit::cli {
 
@@ -11,8 +10,7 @@ class Output;
 struct Session;
 
 struct CheckOptions {
-  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
-  std::filesystem::path features;             ///< for two pictures; empty: none
+  ProjectArgument project;
   bool json = false;
 };
 

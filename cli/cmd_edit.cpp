@@ -16,8 +16,7 @@ void add_edit(CommandLine& line, Session& session) {
                                  "  morphkit edit a.jpg b.jpg -o pair.json --window 1920x1000",
                                  kRenderGroup},
                                 work_of(session, &Works::edit, options));
-  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
-  command.path("--features", options->features, "Features to begin with, for two pictures", "F");
+  declare_project(command, options->project);
   command.path("-o,--output", options->output, "The project file for two pictures (default: A-B.json)", "FILE");
   command.text("--window", options->window, "Size of the window (default: 1600x900)", "WxH");
 }

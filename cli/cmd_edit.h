@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
+#include "cli/project_argument.h"
 #include "morph/project/project.h"
 
 namespace morphkit::cli {
@@ -14,10 +14,9 @@ class Output;
 struct Session;
 
 struct EditOptions {
-  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
-  std::filesystem::path features;             ///< for two pictures; empty: none
-  std::filesystem::path output;               ///< the project file for two pictures; empty: see project_to_edit
-  std::string window = "1600x900";            ///< size of the canvas, px
+  ProjectArgument project;
+  std::filesystem::path output;     ///< the project file for two pictures; empty: see project_to_edit
+  std::string window = "1600x900";  ///< size of the canvas, px
 };
 
 void add_edit(CommandLine& line, Session& session);

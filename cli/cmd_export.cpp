@@ -15,6 +15,7 @@ void add_export(CommandLine& line, Session& session) {
                                 work_of(session, &Works::export_, options));
   command.path("PROJECT", options->project, "The project file", "").required();
   command.paths("FILE", options->files, "The files to write, the source's first: two .mesh", "").required();
+  declare_changes(command, options->changes);
   command.flag("-y,--overwrite", options->overwrite, "Replace files that exist");
 }
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/project_argument.h"
+
 namespace morphkit::cli {
 
 class CommandLine;
@@ -12,6 +14,7 @@ struct Session;
 
 struct ExportOptions {
   std::filesystem::path project;
+  ProjectChanges changes;
   std::vector<std::filesystem::path> files;  ///< to write, the source's first
   bool overwrite = false;
 };

@@ -1,5 +1,6 @@
 #include "cli/cmd_info.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -17,7 +18,7 @@ struct NeedsLibraries {};
 
 /// Tells about one project if that needs no picture library; nothing, and prints nothing, if it does.
 std::optional<int> run_quickly(const InfoOptions& options, Output& output) {
-  if (options.files.size() != 1 || options.files[0].extension() != ".json") return std::nullopt;
+  if (options.files.size() != 1 || !is_project(options.files[0])) return std::nullopt;
   const auto size_of = [](const std::filesystem::path& picture) {
     const std::optional<cv::Size> size = media::quick_size(picture);
     if (!size) throw NeedsLibraries();
@@ -25,7 +26,8 @@ std::optional<int> run_quickly(const InfoOptions& options, Output& output) {
   };
   try {
     return tell(
-        options, [&](const std::filesystem::path& file) { return project_info(file, size_of); }, output);
+        options, [&](const std::filesystem::path& file) { return project_info(file, options.changes, size_of); },
+        output);
   } catch (const NeedsLibraries&) {
     return std::nullopt;
   }
@@ -49,11 +51,14 @@ void add_info(CommandLine& line, Session& session) {
                                  kInspectGroup},
                                 action_of(session, options));
   command.paths("FILE", options->files, "Pictures and projects (*.json)", "").required();
+  declare_changes(command, options->changes);
   command.flag("--pixels", options->pixels, "Decode pictures: minimum, maximum, mean, values that are not finite");
   command.flag("--json", options->json, "Print an array with one object per file");
 }
 
 int tell(const InfoOptions& options, const InfoReader& info_of, Output& output) {
+  if (!options.changes.sets.empty() && std::ranges::none_of(options.files, is_project))
+    throw Error(ErrorCode::kUsage, "--set", "goes with a project (*.json); here is none");
   int exit_code = 0;
   Report all = Report::array();
   for (const std::filesystem::path& file : options.files) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/file_info.h"
+#include "cli/project_argument.h"
 
 namespace morphkit::cli {
 
@@ -15,6 +16,7 @@ struct Session;
 
 struct InfoOptions {
   std::vector<std::filesystem::path> files;  ///< pictures and projects (*.json)
+  ProjectChanges changes;                    ///< of every project
   bool pixels = false;                       ///< decode pictures for minimum, maximum, mean of each channel
   bool json = false;
 };

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/works.h"
 
@@ -16,12 +15,9 @@ void add_map(CommandLine& line, Session& session) {
                                  "  morphkit map pair.json --frames 1-48 --side destination -o stmap.%04d.exr",
                                  kRenderGroup},
                                 work_of(session, &Works::map, options));
-  command.paths("PROJECT", options->inputs, "A project file, or two pictures", "| A B", 2).required();
-  command.path("--features", options->features, "Features for two pictures", "F");
+  declare_project(command, options->project, {KeyOption::kField});
   command.real("-t,--time", options->t, "The moment, 0 (source) to 1 (destination)", "T");
   command.text("--frames", options->frames, "Or these frames, into numbered files", "RANGE");
-  command.choice("--field", options->field, "How the field of lines is evaluated: adaptive (default), exact", "FIELD",
-                 words_of(field_names()));
   command.choice("--side", options->side, "Which picture the map looks into: source (default), destination", "SIDE",
                  {"source", "destination"});
   command.choice("--origin", options->origin, "Where (0, 0) lies: bottom-left (default), top-left", "CORNER",

@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "cli/project_argument.h"
 
 namespace morphkit::cli {
 
@@ -13,13 +14,11 @@ class Output;
 struct Session;
 
 struct MapOptions {
-  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
-  std::filesystem::path features;             ///< for two pictures; empty: none
-  std::optional<double> t;                    ///< one moment
-  std::string frames;                         ///< or frames: "1-48"
-  std::string field;                          ///< of field_names(); empty: as the project says
-  std::string side = "source";                ///< "source" | "destination"
-  std::string origin = "bottom-left";         ///< "bottom-left" | "top-left"
+  ProjectArgument project;
+  std::optional<double> t;             ///< one moment
+  std::string frames;                  ///< or frames: "1-48"
+  std::string side = "source";         ///< "source" | "destination"
+  std::string origin = "bottom-left";  ///< "bottom-left" | "top-left"
   std::filesystem::path output;
   bool allow_folds = false;
   bool overwrite = false;

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/works.h"
 
@@ -10,24 +9,15 @@ namespace morphkit::cli {
 namespace {
 
 void add_options(Options& command, MorphOptions& options) {
-  command.paths("PROJECT", options.inputs, "A project file, or two pictures", "| A B", 2).required();
   command
       .path("-o,--output", options.output,
             "frame.%04d.png or frame.####.exr for frames; .mp4 .webm .mkv .mov .gif .apng; with -t a picture", "OUT")
       .required();
-  command.path("--features", options.features, "Features for two pictures: a project file, or its features alone", "F");
+  declare_project(command, options.project,
+                  {KeyOption::kFrameCount, KeyOption::kSize, KeyOption::kFit, KeyOption::kFilter, KeyOption::kField,
+                   KeyOption::kFps});
   command.text("--frames", options.frames, "Only these frames: 1-240, 1-240x2, 1,5,9-12, 10-", "RANGE");
   command.real("-t,--time", options.t, "One picture at this moment, 0 (source) to 1 (destination)", "T");
-  command.integer("-n,--frame-count", options.frame_count, "Number of frames from first to last", "N", {1, 10'000'000});
-  command.text("--size", options.size, "Size of the output in pixels", "WxH");
-  command.choice("--fit", options.fit, "How pictures of another size are placed: contain, cover, stretch, none", "FIT",
-                 words_of(fit_names()));
-  command.choice("--filter", options.filter,
-                 "How colours are found: area (default), mitchell, lanczos, bicubic, bilinear, nearest", "FILTER",
-                 words_of(filter_names()));
-  command.choice("--field", options.field, "How the field of lines is evaluated: adaptive (default), exact", "FIELD",
-                 words_of(field_names()));
-  command.text("--fps", options.fps, "Frames per second of a video: 25, 29.97, 30000/1001", "RATE");
   command.text("--depth", options.depth, "Bits of frame files: 8, 16, half, float", "DEPTH");
   command.integer("--quality", options.quality, "JPEG and WebP: 1 to 100; videos: CRF, lower is better", "Q", {0, 100});
   command.integer("--compression", options.compression,
@@ -50,7 +40,8 @@ void add_morph(CommandLine& line, Session& session) {
                                  "  morphkit morph pair.json -o out.mp4\n"
                                  "  morphkit morph a.jpg b.jpg --features pair.json -o frame.%04d.png\n"
                                  "  morphkit morph pair.json --frames 1-240x2 --resume -o frame.####.exr\n"
-                                 "  morphkit morph pair.json -t 0.5 -o middle.png",
+                                 "  morphkit morph pair.json -t 0.5 -o middle.png\n"
+                                 "  morphkit morph pair.json --set warp.b=1.5 --set output.fit=contain -o out.mp4",
                                  kRenderGroup},
                                 work_of(session, &Works::morph, options));
   add_options(command, *options);

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "cli/project_argument.h"
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 
@@ -16,17 +16,10 @@ class Output;
 struct Session;
 
 struct MorphOptions {
-  std::vector<std::filesystem::path> inputs;  ///< a project, or two pictures
-  std::filesystem::path features;             ///< for two pictures; empty: none
+  ProjectArgument project;
   std::filesystem::path output;
   std::string frames;       ///< "1-240x2"; empty: all
   std::optional<double> t;  ///< one picture at this moment instead of frames
-  int frame_count = 0;      ///< 0: as the project says
-  std::string size;         ///< "1280x720"; empty: as the project says
-  std::string fps;          ///< "25", "29.97", "30000/1001"; empty: as the project says
-  std::string filter;       ///< of filter_names(); empty: as the project says
-  std::string field;        ///< of field_names(); empty: as the project says
-  std::string fit;          ///< "contain" | "cover" | "stretch" | "none"; empty: as the project says
   std::string depth = "auto";
   int compression = -1;  ///< PNG, TIFF, EXR, APNG 0..9; -1: a good default
   std::string preset;    ///< of .mp4 and .webm; empty: a good default
@@ -41,10 +34,6 @@ void add_morph(CommandLine& line, Session& session);
 
 /// @return the exit code.
 int run_morph(const MorphOptions& options, Output& output);
-
-/// The project that a command's arguments name: a project file, or two pictures with or without features.
-/// @throws Error kUsage if they are neither; as project::load.
-project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features);
 
 /// Tells of pixels that are NaN or infinite, if there are any.
 void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/works.h"
 
@@ -28,11 +27,7 @@ void add_warp(CommandLine& line, Session& session) {
                "F");
   command.path("-o,--output", options->output, "The bent image", "OUT").required();
   command.path("--intermediate", options->intermediate, "Also write the image between the two passes", "FILE");
-  command.text("--size", options->size, "Size of the output in pixels (default: that of the image)", "WxH");
-  command.choice("--spline", options->spline, "Curves: monotone (default), catmull-rom, linear", "SPLINE",
-                 words_of(spline_names()));
-  command.choice("--order", options->order, "Order of the passes: auto (default), rows-first, columns-first", "ORDER",
-                 words_of(order_names()));
+  declare_changes(command, options->changes, {KeyOption::kSize, KeyOption::kSpline, KeyOption::kOrder});
   command.text("--depth", options->depth, "Bits of the output: 8, 16, half, float", "DEPTH");
   command.integer("--quality", options->quality, "JPEG and WebP: 1 to 100", "Q", {1, 100});
   command.flag("--allow-folds", options->allow_folds, "Bend as far as that goes where a mesh folds over");

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "cli/project_argument.h"
+
 namespace morphkit::cli {
 
 class CommandLine;
@@ -17,9 +19,7 @@ struct WarpOptions {
   std::filesystem::path from;  ///< that lies on the image: likewise (source mesh); empty: the project's, or even
   std::filesystem::path output;
   std::filesystem::path intermediate;  ///< the image between the passes; empty: not wanted
-  std::string size;                    ///< "1280x720"; empty: that of the image
-  std::string spline = "monotone";
-  std::string order = "auto";
+  ProjectChanges changes;  ///< of the project that `mesh` names; its size, spline and order count as changed
   std::string depth = "auto";
   int quality = -1;  ///< JPEG and WebP 1..100
   bool allow_folds = false;

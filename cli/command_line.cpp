@@ -106,6 +106,10 @@ Option Options::text(const char* names, std::string& value, const char* help, co
   return Option(*app_->add_option(names, value, help)->type_name(type));
 }
 
+Option Options::texts(const char* names, std::vector<std::string>& value, const char* help, const char* type) {
+  return Option(*app_->add_option(names, value, help)->type_name(type)->allow_extra_args(false));
+}
+
 // An empty description: the range does not belong in the help.
 Option Options::integer(const char* names, int& value, const char* help, const char* type, Range range) {
   return Option(*app_->add_option(names, value, help)

@@ -61,6 +61,8 @@ class Options {
 
   Option flag(const char* names, bool& value, const char* help);
   Option text(const char* names, std::string& value, const char* help, const std::string& type);
+  /// An option that may be given several times, with one value each.
+  Option texts(const char* names, std::vector<std::string>& value, const char* help, const char* type);
   Option integer(const char* names, int& value, const char* help, const char* type, Range range);
   Option integer(const char* names, std::optional<int>& value, const char* help, const char* type, Range range);
   Option real(const char* names, std::optional<double>& value, const char* help, const char* type);

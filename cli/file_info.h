@@ -10,6 +10,8 @@
 
 namespace morphkit::cli {
 
+struct ProjectChanges;
+
 /// Facts of a file, for people (lines) and for machines (JSON).
 struct FileInfo {
   std::string text;  ///< lines, each ended by a newline
@@ -22,7 +24,7 @@ FileInfo picture_info(const std::filesystem::path& file, bool pixels);
 /// Tells the size of a picture file, px, as it stands upright.
 using SizeReader = std::function<cv::Size(const std::filesystem::path& file)>;
 
-/// @throws Error as project::load. A picture of the project that cannot be read is told, not thrown.
-FileInfo project_info(const std::filesystem::path& file, const SizeReader& size_of);
+/// @throws Error as load_project. A picture of the project that cannot be read is told, not thrown.
+FileInfo project_info(const std::filesystem::path& file, const ProjectChanges& changes, const SizeReader& size_of);
 
 }  // namespace morphkit::cli

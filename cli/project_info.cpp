@@ -4,8 +4,10 @@
 
 #include "base/error.h"
 #include "cli/file_info.h"
+#include "cli/project_argument.h"
 #include "morph/project/clock.h"
 #include "morph/project/project.h"
+#include "morph/project/words.h"
 
 namespace morphkit::cli {
 namespace {
@@ -32,20 +34,6 @@ std::string fps_text(const project::Output& output) {
   return output.fps.den == 1 ? fmt::format("{}", output.fps.num) : fmt::format("{}/{}", output.fps.num, output.fps.den);
 }
 
-const char* fit_name(project::Fit fit) {
-  switch (fit) {
-    case project::Fit::kContain:
-      return "contain";
-    case project::Fit::kCover:
-      return "cover";
-    case project::Fit::kStretch:
-      return "stretch";
-    case project::Fit::kNone:
-      return "none";
-  }
-  return "";
-}
-
 void add_features(const project::Project& project, FileInfo& info) {
   const auto count = [&]<typename Kind>(Kind) {
     return std::count_if(project.features.begin(), project.features.end(),
@@ -64,9 +52,9 @@ void add_features(const project::Project& project, FileInfo& info) {
     info.text += fmt::format("  mesh         {} x {} vertices\n", project.mesh->columns, project.mesh->rows);
     info.report.set("mesh", Report().set("columns", project.mesh->columns).set("rows", project.mesh->rows));
   }
-  const bool by_mesh = project::method_name_of(project) == project::MethodName::kMesh;
-  info.text += fmt::format("  method       {}\n", by_mesh ? "mesh" : "lines");
-  info.report.set("method", by_mesh ? "mesh" : "lines");
+  const std::string method(project::word_of(project::method_name_of(project)));
+  info.text += fmt::format("  method       {}\n", method);
+  info.report.set("method", method);
 
   Report groups = Report::array();
   std::string names;
@@ -82,19 +70,20 @@ void add_output(const project::Output& output, FileInfo& info) {
   const std::string size =
       output.size ? fmt::format("{}x{}", output.size->width, output.size->height) : "the size of the source";
   const project::Clock clock(output);
-  info.text += fmt::format("  output       {}, {}; frames {}-{} at {} fps ({:.2f} s)\n", size, fit_name(output.fit),
-                           clock.first(), clock.last(), fps_text(output), clock.duration_s());
+  info.text +=
+      fmt::format("  output       {}, {}; frames {}-{} at {} fps ({:.2f} s)\n", size, project::word_of(output.fit),
+                  clock.first(), clock.last(), fps_text(output), clock.duration_s());
   Report report;
   if (output.size) report.set("width", output.size->width).set("height", output.size->height);
-  report.set("fit", fit_name(output.fit)).set("frames", output.frames).set("start", output.start);
+  report.set("fit", std::string(project::word_of(output.fit))).set("frames", output.frames).set("start", output.start);
   report.set("fps", fps_text(output));
   info.report.set("output", report);
 }
 
 }  // namespace
 
-FileInfo project_info(const std::filesystem::path& file, const SizeReader& size_of) {
-  const project::Project project = project::load(file);
+FileInfo project_info(const std::filesystem::path& file, const ProjectChanges& changes, const SizeReader& size_of) {
+  const project::Project project = load_project(file, changes);
   FileInfo info;
   info.text = fmt::format("{}: morphkit project\n", file.string());
   info.report.set("file", file.string()).set("kind", "project");

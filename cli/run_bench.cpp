@@ -19,12 +19,12 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/vector_target.h"
-#include "cli/arguments.h"
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/media/frame_sink.h"
+#include "morph/project/words.h"
 #include "morph/render/compose.h"
 #include "morph/render/dissolve.h"
 #include "morph/render/renderer.h"
@@ -106,10 +106,9 @@ warp::Image painted(cv::Size size, unsigned seed) {
 }
 
 /// Lines of 40 to 200 px whose ends move by up to 20 px: what people draw on a face.
-project::Project random_project(int lines, cv::Size size) {
+void add_random_lines(int lines, cv::Size size, project::Project& project) {
   std::mt19937 random(kSeed);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-  project::Project project;
   for (int i = 0; i < lines; ++i) {
     const cv::Point2d p(uniform(0, size.width), uniform(0, size.height));
     const double angle = uniform(0, 2 * CV_PI);
@@ -121,7 +120,6 @@ project::Project random_project(int lines, cv::Size size) {
     feature.places[project::kDestination] = {moved(p), moved(q)};
     project.features.push_back(std::move(feature));
   }
-  return project;
 }
 
 struct Material {
@@ -129,22 +127,24 @@ struct Material {
   render::Pictures pictures;
 };
 
-Material make_material(const BenchOptions& options) {
+Material painted_material(const BenchOptions& options) {
   Material material;
-  const bool painting = options.project.empty();
-  if (!painting && options.lines)
+  for (project::Picture& picture : material.project.pictures) picture.image = "painted";
+  apply_changes(options.changes, material.project);
+  const cv::Size size = material.project.output.size.value_or(kUsualSize);
+  add_random_lines(options.lines.value_or(kUsualLines), size, material.project);
+  material.pictures.source.image = painted(size, kSeed);
+  material.pictures.destination.image = painted(size, kSeed + 1);
+  return material;
+}
+
+Material make_material(const BenchOptions& options) {
+  if (options.project.empty()) return painted_material(options);
+  if (options.lines)
     throw Error(ErrorCode::kUsage, "--lines", "goes without a project; a project has its own features");
-  const cv::Size size = options.size.empty() ? kUsualSize : parse_size(options.size);
-  if (painting) {
-    material.project = random_project(options.lines.value_or(kUsualLines), size);
-    material.pictures.source.image = painted(size, kSeed);
-    material.pictures.destination.image = painted(size, kSeed + 1);
-  } else {
-    material.project = project::load(options.project);
-    material.pictures = render::load_pictures(material.project);
-  }
-  if (!options.size.empty()) material.project.output.size = size;
-  if (!options.filter.empty()) material.project.warp.filter = filter_names().at(options.filter);
+  Material material;
+  material.project = load_project(options.project, options.changes);
+  material.pictures = render::load_pictures(material.project);
   return material;
 }
 
@@ -224,16 +224,11 @@ std::vector<Timing> measure(const render::Renderer& renderer) {
   return timings;
 }
 
-std::string filter_name(warp::Filter filter) {
-  const auto found =
-      std::find_if(filter_names().begin(), filter_names().end(), [&](const auto& it) { return it.second == filter; });
-  return found == filter_names().end() ? "unknown" : found->first;
-}
-
 void print_text(const render::Renderer& renderer, const std::vector<Timing>& timings, Output& output) {
   output.line(fmt::format("{}x{}, {}; filter {}; {} thread{}; vectors {}", renderer.size().width,
-                          renderer.size().height, renderer.description(), filter_name(renderer.project().warp.filter),
-                          threads(), threads() == 1 ? "" : "s", vector_target()));
+                          renderer.size().height, renderer.description(),
+                          project::word_of(renderer.project().warp.filter), threads(), threads() == 1 ? "" : "s",
+                          vector_target()));
   for (const Timing& timing : timings) {
     const std::string time = timing.ms < 0 ? "-" : fmt::format("{:.2f}", timing.ms);
     const std::string note = timing.note.empty() ? "" : "   " + timing.note;
@@ -246,7 +241,8 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
   for (const Timing& timing : timings) times.set(timing.key, timing.ms < 0 ? Report(nullptr) : Report(timing.ms));
   Report report;
   report.set("width", renderer.size().width).set("height", renderer.size().height);
-  report.set("work", renderer.description()).set("filter", filter_name(renderer.project().warp.filter));
+  report.set("work", renderer.description())
+      .set("filter", std::string(project::word_of(renderer.project().warp.filter)));
   report.set("threads", threads()).set("vectors", vector_target()).set("ms", std::move(times));
   output.line(report.to_json());
 }

@@ -51,7 +51,7 @@ void print_text(const std::vector<render::Finding>& findings, const std::vector<
 }  // namespace
 
 int run_check(const CheckOptions& options, Output& output) {
-  const project::Project project = project_from(options.inputs, options.features);
+  const project::Project project = load_project(options.project);
   render::Pictures pictures = render::load_pictures(project);
   std::vector<std::string> notes;
   for (const auto& [side, picture] : {std::pair(&project.pictures[project::kSource], &pictures.source),

@@ -68,9 +68,9 @@ std::filesystem::path demo_one(const std::string& name, const DemoOptions& optio
   const samples::Sample sample = samples::paint(name);
   std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
   MorphOptions morph;
-  morph.inputs = {project_file};
+  morph.project.inputs = {project_file};
   morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));
-  morph.frame_count = options.frame_count;
+  if (options.frame_count > 0) morph.project.changes.sets = {fmt::format("output.frames={}", options.frame_count)};
   morph.overwrite = true;
   const int code = run_morph(morph, output);
   if (code != 0) throw Error(static_cast<ErrorCode>(code), name, "the demo could not be rendered");

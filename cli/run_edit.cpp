@@ -40,6 +40,14 @@ void require_picture(const project::Project& project, const project::Picture& si
                 fmt::format("is a project of other pictures ({}); name another file with -o", side.image.string()));
 }
 
+/// The window reads its pictures once, and undoing does not bring others. @throws Error if --set names others.
+project::Project with_own_pictures(project::Project project) {
+  if (project.original && project::parse(*project.original, project.file).pictures != project.pictures)
+    throw Error(ErrorCode::kUsage, "--set",
+                "the pictures of a project stay while it is edited; change them in its file");
+  return project;
+}
+
 cv::Size window_size(const std::string& text) {
   const cv::Size size = parse_size(text, "--window");
   const cv::Size least = edit::kLeastCanvas;
@@ -52,23 +60,24 @@ cv::Size window_size(const std::string& text) {
 }  // namespace
 
 project::Project project_to_edit(const EditOptions& options) {
-  project::Project project = project_from(options.inputs, options.features);
-  if (options.inputs.size() == 1) {
+  project::Project project = load_project(options.project);
+  const std::vector<fs::path>& inputs = options.project.inputs;
+  if (inputs.size() == 1) {
     if (!options.output.empty())
       throw Error(ErrorCode::kUsage, "--output", "goes with two pictures; a project is saved to its own file");
-    return project;
+    return with_own_pictures(std::move(project));
   }
   fs::path file = options.output;
-  if (file.empty()) file = options.inputs[0].stem().string() + "-" + options.inputs[1].stem().string() + ".json";
+  if (file.empty()) file = inputs[0].stem().string() + "-" + inputs[1].stem().string() + ".json";
   std::error_code error;
   if (fs::exists(file, error)) {
-    if (!options.features.empty())
+    if (!options.project.features.empty())
       throw Error(ErrorCode::kUsage, "--features",
                   fmt::format("{} is there already and has its own; name another file with -o", file.string()));
-    project::Project there = project::load(file);
-    require_picture(there, there.pictures[project::kSource], options.inputs[0]);
-    require_picture(there, there.pictures[project::kDestination], options.inputs[1]);
-    return there;
+    project::Project there = load_project(file, options.project.changes);
+    require_picture(there, there.pictures[project::kSource], inputs[0]);
+    require_picture(there, there.pictures[project::kDestination], inputs[1]);
+    return with_own_pictures(std::move(there));
   }
   project.pictures[project::kSource].image = seen_from(file.parent_path(), project.pictures[project::kSource].image);
   project.pictures[project::kDestination].image =

@@ -21,7 +21,7 @@ cv::Size picture_size(const project::Project& project, const project::Picture& s
 }  // namespace
 
 int run_export(const ExportOptions& options, Output& output) {
-  const project::Project project = project::load(options.project);
+  const project::Project project = load_project(options.project, options.changes);
   const std::vector<std::string> remarks =
       exchange::export_to(project, {options.files, picture_size(project, project.pictures[project::kSource]),
                                     picture_size(project, project.pictures[project::kDestination]), options.overwrite});

@@ -13,7 +13,7 @@ cv::Size picture_size(const std::filesystem::path& picture) {
 
 int run_info(const InfoOptions& options, Output& output) {
   const auto info_of = [&](const std::filesystem::path& file) {
-    return file.extension() == ".json" ? project_info(file, picture_size) : picture_info(file, options.pixels);
+    return is_project(file) ? project_info(file, options.changes, picture_size) : picture_info(file, options.pixels);
   };
   return tell(options, info_of, output);
 }

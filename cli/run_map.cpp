@@ -45,8 +45,7 @@ int run_map(const MapOptions& options, Output& output) {
   if (options.t.has_value() == !options.frames.empty())
     throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
-  project::Project project = project_from(options.inputs, options.features);
-  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
+  const project::Project project = load_project(options.project);
   warn_of_unused_settings(project, output);
   const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
   if (!options.t) return write_frames(options, renderer, output);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -23,16 +22,6 @@
 
 namespace morphkit::cli {
 namespace {
-
-void apply_overrides(const MorphOptions& options, project::Project& project) {
-  project::Output& output = project.output;
-  if (!options.size.empty()) output.size = parse_size(options.size);
-  if (!options.fit.empty()) output.fit = fit_names().at(options.fit);
-  if (!options.filter.empty()) project.warp.filter = filter_names().at(options.filter);
-  if (!options.field.empty()) project.warp.lines.field = field_names().at(options.field);
-  if (options.frame_count > 0) output.frames = options.frame_count;
-  if (!options.fps.empty()) output.fps = parse_fps(options.fps);
-}
 
 void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
   warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
@@ -136,22 +125,6 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
 
 }  // namespace
 
-project::Project project_from(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& features) {
-  if (inputs.size() == 2) {
-    project::Project project;
-    project.pictures[project::kSource].image = inputs[0];
-    project.pictures[project::kDestination].image = inputs[1];
-    if (!features.empty()) project::load_features(project, features);
-    return project;
-  }
-  if (!features.empty())
-    throw Error(ErrorCode::kUsage, "--features", "goes with two pictures; a project has its own features");
-  if (media::is_image_extension(inputs.front()))
-    throw Error(ErrorCode::kUsage, inputs.front().string(),
-                "is one picture; give two pictures, or a project file that names them");
-  return project::load(inputs.front());
-}
-
 void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output) {
   if (picture.nonfinite_pixels > 0)
     output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there", file.string(),
@@ -173,8 +146,7 @@ int run_morph(const MorphOptions& options, Output& output) {
     throw Error(ErrorCode::kUsage, "-t", "is one moment; it does not go with --frames");
   if (options.resume && options.overwrite)
     throw Error(ErrorCode::kUsage, "--resume", "keeps what is there and --overwrite replaces it; choose one");
-  project::Project project = project_from(options.inputs, options.features);
-  apply_overrides(options, project);
+  project::Project project = load_project(options.project);
   render::Pictures pictures = render::load_pictures(project);
   say_what_was_read(project, pictures, output);
   const auto metadata = pictures.source.metadata;

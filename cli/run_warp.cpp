@@ -1,13 +1,11 @@
 #include "cli/cmd_warp.h"
 
-#include <map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
 #include "cli/interrupt.h"
@@ -21,38 +19,62 @@
 namespace morphkit::cli {
 namespace {
 
-bool is_project(const std::filesystem::path& file) {
-  return file.extension() == ".json";
-}
-
-/// The mesh of a project's side, brought from that side's picture to `frame`.
-warp::Mesh project_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame) {
-  const project::Project project = project::load(file);
-  if (!project.mesh) throw Error(ErrorCode::kBadInput, file.string(), "has no \"mesh\"");
-  const project::Picture& named = project.pictures[side];
-  const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
-  const cv::Size picture(info.width, info.height);
-  return render::brought_to(render::mesh_on(project, side, picture), picture, frame);
-}
-
 /// A mesh with what to call it in messages.
 struct NamedMesh {
   warp::Mesh mesh;
   std::string place;  ///< see render::require_unfolded
 };
 
-NamedMesh read_mesh(const std::filesystem::path& file, project::SideIndex side, cv::Size frame, Output& output) {
-  if (is_project(file))
-    return {project_mesh(file, side, frame), fmt::format("{}: /mesh/{}/", file.string(), render::name_of(side))};
+project::Project with_mesh(project::Project project) {
+  if (!project.mesh) throw Error(ErrorCode::kBadInput, project.file.string(), "has no \"mesh\"");
+  return project;
+}
+
+/// What the command line says of the bend, as changes of the project that --mesh names. Another mesh gets a project
+/// for that. What the project itself says of its morph is for two pictures and does not count here.
+project::Project settings_of(const WarpOptions& options) {
+  project::Project project;
+  if (is_project(options.mesh)) {
+    project = with_mesh(project::load(options.mesh));
+  } else {
+    for (project::Picture& picture : project.pictures) picture.image = options.image;
+    project::Mesh& mesh = project.mesh.emplace();
+    mesh.columns = mesh.rows = 2;
+  }
+  project.warp = {};
+  project.warp.method = project::MethodName::kMesh;
+  project.pull = {};
+  project.output = {};
+  apply_changes(options.changes, project);
+  return project;
+}
+
+/// The mesh of a project's side, brought from that side's picture to `frame`.
+NamedMesh project_mesh(const project::Project& project, project::SideIndex side, cv::Size frame) {
+  const project::Picture& named = project.pictures[side];
+  const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
+  const cv::Size picture(info.width, info.height);
+  return {render::brought_to(render::mesh_on(project, side, picture), picture, frame),
+          fmt::format("{}: /mesh/{}/", project.file.string(), render::name_of(side))};
+}
+
+NamedMesh read_mesh(const std::filesystem::path& file, cv::Size frame, Output& output) {
   std::vector<std::string> remarks;
   NamedMesh named{exchange::read_xmorph_mesh(file, frame, remarks), file.string()};
   for (const std::string& remark : remarks) output.note(remark);
   return named;
 }
 
-NamedMesh from_mesh(const WarpOptions& options, const warp::Mesh& to, cv::Size image, Output& output) {
-  if (!options.from.empty()) return read_mesh(options.from, project::kSource, image, output);
-  if (is_project(options.mesh)) return read_mesh(options.mesh, project::kSource, image, output);
+NamedMesh to_mesh(const WarpOptions& options, const project::Project& settings, cv::Size size, Output& output) {
+  if (is_project(options.mesh)) return project_mesh(settings, project::kDestination, size);
+  return read_mesh(options.mesh, size, output);
+}
+
+NamedMesh from_mesh(const WarpOptions& options, const project::Project& settings, const warp::Mesh& to, cv::Size image,
+                    Output& output) {
+  if (is_project(options.from)) return project_mesh(with_mesh(project::load(options.from)), project::kSource, image);
+  if (!options.from.empty()) return read_mesh(options.from, image, output);
+  if (is_project(options.mesh)) return project_mesh(settings, project::kSource, image);
   return {warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)}), options.mesh.string()};
 }
 
@@ -75,11 +97,12 @@ void require_free(const WarpOptions& options) {
 }
 
 /// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
-warp::MeshWarp mesh_warp(const WarpOptions& options, cv::Size image, cv::Size size, Output& output) {
-  const NamedMesh to = read_mesh(options.mesh, project::kDestination, size, output);
-  const NamedMesh from = from_mesh(options, to.mesh, image, output);
+warp::MeshWarp mesh_warp(const WarpOptions& options, const project::Project& settings, cv::Size image, cv::Size size,
+                         Output& output) {
+  const NamedMesh to = to_mesh(options, settings, size, output);
+  const NamedMesh from = from_mesh(options, settings, to.mesh, image, output);
   require_alike(options, from.mesh, to.mesh);
-  warp::MeshWarp warp(from.mesh, to.mesh, {spline_names().at(options.spline), order_names().at(options.order)});
+  warp::MeshWarp warp(from.mesh, to.mesh, {settings.warp.mesh.spline, settings.warp.mesh.order});
   const char* const order = render::text_of(warp.order());
   if (!options.allow_folds) {
     render::require_unfolded(from.mesh, "the mesh folds over", from.place);
@@ -103,8 +126,10 @@ int run_warp(const WarpOptions& options, Output& output) {
   require_free(options);
   const media::Picture picture = media::read_picture(options.image);
   warn_of_nonfinite(options.image, picture, output);
-  const cv::Size size = options.size.empty() ? picture.image.size() : parse_size(options.size);
-  const warp::MeshWarp warp = mesh_warp(options, picture.image.size(), size, output);
+  const project::Project settings = settings_of(options);
+  warn_of_unused_settings(settings, output);
+  const cv::Size size = settings.output.size.value_or(picture.image.size());
+  const warp::MeshWarp warp = mesh_warp(options, settings, picture.image.size(), size, output);
   stop_if_interrupted("nothing was written");
 
   media::WriteOptions write;

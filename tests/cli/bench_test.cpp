@@ -35,6 +35,13 @@ TEST(Bench, JsonHasTheStagesByName) {
     EXPECT_TRUE(contains(result.out, key)) << key << " in " << result.out;
 }
 
+TEST(Bench, SetChangesTheRandomProjectToo) {
+  const RunResult result =
+      run_morphkit({"bench", "--lines", "3", "--set", "output.size=[60, 40]", "--set", "warp.filter=nearest"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(contains(result.out, "60x40, 3 features as 3 lines; filter nearest")) << result.out;
+}
+
 TEST(Bench, AMeshIsMeasuredAsAWholeFrame) {
   const TemporaryFolder folder;
   for (const char* name : {"a.png", "b.png"})

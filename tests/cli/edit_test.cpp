@@ -34,6 +34,13 @@ class Edit : public testing::Test {
     return test::run_morphkit(arguments, options);
   }
 
+  static EditOptions pair(const fs::path& a, const fs::path& b, const fs::path& output) {
+    EditOptions options;
+    options.project.inputs = {a, b};
+    options.output = output;
+    return options;
+  }
+
   test::TemporaryFolder folder_;
 };
 
@@ -86,7 +93,7 @@ TEST_F(Edit, TellsOtherPicturesFromMissingOnes) {
 TEST_F(Edit, NamesTheProjectAfterThePictures) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());
-  const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = {}});
+  const project::Project project = project_to_edit(pair("a.png", "b.png", {}));
   fs::current_path(before);
   EXPECT_EQ(project.file, "a-b.json");
   EXPECT_EQ(project.pictures[project::kSource].image, "a.png");
@@ -97,7 +104,7 @@ TEST_F(Edit, NamesPicturesAsTheProjectSeesThem) {
   const fs::path file = folder_ / "projects" / "pair.json";
   const fs::path before = fs::current_path();
   fs::current_path(folder_.path());
-  const project::Project project = project_to_edit({.inputs = {"a.png", "b.png"}, .features = {}, .output = file});
+  const project::Project project = project_to_edit(pair("a.png", "b.png", file));
   fs::current_path(before);
   EXPECT_EQ(project.pictures[project::kSource].image, "../a.png");
   EXPECT_TRUE(
@@ -112,8 +119,28 @@ TEST_F(Edit, GoesOnWithAProjectOfTheSamePicturesOnly) {
   project::save(made, file);
   const fs::path a = folder_ / "a.png";
   const fs::path b = folder_ / "b.png";
-  EXPECT_EQ(project_to_edit({.inputs = {a, b}, .features = {}, .output = file}).features.size(), made.features.size());
-  EXPECT_THROW(project_to_edit({.inputs = {b, a}, .features = {}, .output = file}), Error);
+  EXPECT_EQ(project_to_edit(pair(a, b, file)).features.size(), made.features.size());
+  EXPECT_THROW(project_to_edit(pair(b, a, file)), Error);
+}
+
+TEST_F(Edit, ChangesByTheCommandLineAreChangesOfTheProject) {
+  const std::string text = R"({"morphkit": 1, "source": {"image": "a.png"}, "destination": {"image": "b.png"}})";
+  test::write_text(folder_ / "pair.json", text);
+  EditOptions options;
+  options.project.inputs = {folder_ / "pair.json"};
+  options.project.changes.sets = {"output.frames=9"};
+  const project::Project project = project_to_edit(options);
+  EXPECT_EQ(project.output.frames, 9);
+  EXPECT_EQ(*project.original, text) << "the file has not changed";
+  options.project = {};
+  options.project.changes.sets = {"output.frames=9"};
+  options.project.inputs = {folder_ / "a.png", folder_ / "b.png"};
+  options.output = folder_ / "pair.json";
+  EXPECT_EQ(project_to_edit(options).output.frames, 9);
+
+  const test::RunResult other = run({"pair.json", "--set", "source.image=b.png"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("--set: the pictures of a project stay while it is edited"), std::string::npos) << other.err;
 }
 
 }  // namespace

@@ -126,6 +126,21 @@ TEST_F(Morph, FiltersAreToldApart) {
   EXPECT_NE(read_text(folder_ / "bilinear.png"), read_text(folder_ / "bicubic.png"));
 }
 
+TEST_F(Morph, SetIsWhatTheShortOptionsAreShortFor) {
+  const auto rendered = [&](const std::string& file, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"morph", "pair.json", "-t", "0.5", "-o", file};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_text(folder_ / file);
+  };
+  EXPECT_EQ(rendered("short.png", {"--filter", "nearest", "--size", "32x24", "--fit", "contain"}),
+            rendered("set.png",
+                     {"--set", "warp.filter=nearest", "--set", "output.size=[32, 24]", "--set", "output.fit=contain"}));
+  EXPECT_NE(rendered("moved.png", {"--set", "features/nose.point.source=[20, 10]"}), rendered("plain.png", {}));
+  EXPECT_EQ(run({"check", "pair.json", "--set", "features/nose.point.source=[900, 30]"}).exit_code, 5);
+}
+
 TEST_F(Morph, AMomentIsOnePicture) {
   EXPECT_EQ(run({"morph", "pair.json", "-t", "0", "-o", "moment.tif"}).exit_code, 0);
   EXPECT_EQ(run({"compare", "moment.tif", "a.png"}).exit_code, 0);

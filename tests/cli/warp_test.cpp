@@ -86,6 +86,26 @@ TEST_F(Warp, SizesAndTheImageBetweenThePasses) {
   EXPECT_EQ(read("between.exr").size(), cv::Size(41, 93));
 }
 
+TEST_F(Warp, SetChangesTheProjectThatTheMeshComesFrom) {
+  const auto bent = [&](const std::string& file, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"warp", "a.exr", "-o", file, "--depth", "float"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_done(arguments);
+    return read(file);
+  };
+  const warp::Image plain = bent("plain.exr", {"--mesh", "pair.json"});
+  const warp::Image linear = bent("short.exr", {"--mesh", "pair.json", "--spline", "linear"});
+  EXPECT_FALSE(warp::compare(plain, linear).identical());
+  EXPECT_TRUE(
+      warp::compare(linear, bent("set.exr", {"--mesh", "pair.json", "--set", "warp.spline=linear"})).identical());
+  EXPECT_EQ(bent("large.exr", {"--mesh", "bent.mesh", "--set", "output.size=[82, 93]"}).size(), cv::Size(82, 93));
+  EXPECT_TRUE(
+      warp::compare(read("a.exr"), bent("even.exr", {"--mesh", "pair.json", "--set", "mesh.destination=uniform"}))
+          .identical());
+  const RunResult unused = run({"warp", "a.exr", "--mesh", "bent.mesh", "-o", "unused.exr", "--set", "warp.b=1"});
+  EXPECT_NE(unused.err.find("\"b\" of \"warp\" is not used"), std::string::npos) << unused.err;
+}
+
 TEST_F(Warp, TellsTheOrderThatItTook) {
   const RunResult told = run({"warp", "a.exr", "--mesh", "bent.mesh", "-o", "bent.exr", "-v"});
   EXPECT_NE(told.err.find("mesh of 3 x 3 vertices; "), std::string::npos) << told.err;
