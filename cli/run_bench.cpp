@@ -153,11 +153,12 @@ void measure_parts(const render::Renderer& renderer, std::vector<Timing>& timing
   using project::kDestination;
   using project::kSource;
   using project::SideIndex;
-  timings.push_back({"field", "field", median_ms([&] { renderer.map(kMoment, kSource); }), ""});
+  timings.push_back({"field", "field", median_ms([&] { renderer.map(renderer.clock().at(kMoment), kSource); }), ""});
 
   const render::Stage& stage = renderer.stage();
-  const warp::Map to_source = renderer.map(kMoment, project::kSource, render::Pixels::kHeld);
-  const warp::Map to_destination = renderer.map(kMoment, project::kDestination, render::Pixels::kHeld);
+  const warp::Map to_source = renderer.map(renderer.clock().at(kMoment), project::kSource, render::Pixels::kHeld);
+  const warp::Map to_destination =
+      renderer.map(renderer.clock().at(kMoment), project::kDestination, render::Pixels::kHeld);
   const warp::Filter filter = renderer.project().warp.filter;
   warp::Image source(renderer.size()), destination(renderer.size());
   const double sampling_ms = median_ms([&] {
@@ -199,7 +200,7 @@ void measure_video(const render::Renderer& renderer, const warp::Image& frame, s
   while (packets.size() < 2 || (packets.size() < kFrames && packets.size() * packets[0].size() < kPacketsBytes)) {
     stop_if_interrupted(kUnfinished);
     const int i = static_cast<int>(packets.size());
-    packets.push_back(sink->encode(i, renderer.frame(static_cast<double>(i) / (kFrames - 1))));
+    packets.push_back(sink->encode(i, renderer.frame(renderer.clock().at(static_cast<double>(i) / (kFrames - 1)))));
   }
   const double ms = elapsed_ms([&] {
     for (int i = 0; i < kFrames; ++i) {
@@ -215,9 +216,9 @@ std::vector<Timing> measure(const render::Renderer& renderer) {
   std::vector<Timing> timings;
   const bool parts = project::method_name_of(renderer.project()) == project::MethodName::kLines;
   if (parts) measure_parts(renderer, timings);
-  timings.push_back(
-      {"frame", "whole frame", median_ms([&] { renderer.frame(kMoment); }), parts ? "the three above together" : ""});
-  const warp::Image frame = renderer.frame(kMoment);
+  timings.push_back({"frame", "whole frame", median_ms([&] { renderer.frame(renderer.clock().at(kMoment)); }),
+                     parts ? "the three above together" : ""});
+  const warp::Image frame = renderer.frame(renderer.clock().at(kMoment));
   const double png_ms = median_ms([&] { media::encode_image("bench.png", frame); });
   timings.push_back({"png", "to 8-bit PNG", png_ms, "one thread; morph does several frames at once"});
   measure_video(renderer, frame, timings);

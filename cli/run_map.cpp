@@ -17,12 +17,13 @@
 namespace morphkit::cli {
 namespace {
 
-void write_moment(const MapOptions& options, const render::Renderer& renderer, double t,
+void write_moment(const MapOptions& options, const render::Renderer& renderer, project::Time time,
                   const std::filesystem::path& file) {
   const project::SideIndex side = options.side == "destination" ? project::kDestination : project::kSource;
   const render::Origin origin = options.origin == "top-left" ? render::Origin::kTopLeft : render::Origin::kBottomLeft;
-  renderer.require(t);
-  media::write_map(file, render::stmap(renderer.map(t, side), renderer.picture_size(side), origin), options.overwrite);
+  renderer.require(time);
+  media::write_map(file, render::stmap(renderer.map(time, side), renderer.picture_size(side), origin),
+                   options.overwrite);
 }
 
 int write_frames(const MapOptions& options, const render::Renderer& renderer, Output& output) {
@@ -49,7 +50,7 @@ int run_map(const MapOptions& options, Output& output) {
   warn_of_unused_settings(project, output);
   const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
   if (!options.t) return write_frames(options, renderer, output);
-  write_moment(options, renderer, *options.t, options.output);
+  write_moment(options, renderer, renderer.clock().at(*options.t), options.output);
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));
   return 0;
 }

@@ -89,7 +89,7 @@ int render_moment(const MorphOptions& options, const render::Renderer& renderer,
     throw Error(ErrorCode::kUsage, "--preset", "is for .mp4 and .webm; one picture has no presets");
   media::check_write_options(options.output, sink.image);
   const auto start = std::chrono::steady_clock::now();
-  media::write_image(options.output, renderer.frame(*options.t), sink.image);
+  media::write_image(options.output, renderer.frame(renderer.clock().at(*options.t)), sink.image);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   say_what_was_done(options, renderer, {1, 0, 1, 0}, elapsed.count(), output);
   return 0;

@@ -13,12 +13,12 @@ namespace morphkit::render {
 namespace {
 
 /// Puts the features or vertices nearest to the worst fold into the finding, and names them for the message.
-std::string name_nearest(const Renderer& renderer, Finding& fold) {
+std::string name_nearest(const Renderer& renderer, project::Time time, Finding& fold) {
   if (project::method_name_of(renderer.project()) == project::MethodName::kMesh) {
-    fold.vertices = {nearest_vertex(renderer, fold.position, fold.t)};
+    fold.vertices = {nearest_vertex(renderer, fold.position, time)};
     return fmt::format(" near the vertex in column {}, row {}", fold.vertices[0].x, fold.vertices[0].y);
   }
-  fold.features = nearest_features(renderer, fold.position, fold.t);
+  fold.features = nearest_features(renderer, fold.position, time);
   return fold.features.empty() ? "" : fmt::format(" near \"{}\"", fmt::join(fold.features, "\", \""));
 }
 
@@ -27,8 +27,9 @@ void find_map_folds(const Renderer& renderer, SideIndex side, std::vector<Findin
   worst.kind = Finding::Kind::kFold;
   worst.where = name_of(side);
   for (const double t : kMoments) {
-    if (!renderer.shows(side, t)) continue;
-    const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(t, side));
+    const project::Time time = renderer.clock().at(t);
+    if (!renderer.shows(side, time)) continue;
+    const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(time, side));
     std::int64_t area_px = 0;
     for (const warp::FoldRegion& region : regions) area_px += region.area_px;
     if (area_px <= worst.area_px) continue;
@@ -41,7 +42,7 @@ void find_map_folds(const Renderer& renderer, SideIndex side, std::vector<Findin
   worst.message = fmt::format("the {} folds over in {} {} ({} px at t = {:g}), the largest at ({:.0f}, {:.0f})",
                               worst.where, worst.count, worst.count == 1 ? "place" : "places", worst.area_px, worst.t,
                               worst.position.x, worst.position.y);
-  worst.message += name_nearest(renderer, worst);
+  worst.message += name_nearest(renderer, renderer.clock().at(worst.t), worst);
   findings.push_back(std::move(worst));
 }
 

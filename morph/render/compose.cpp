@@ -1,5 +1,6 @@
 #include "morph/render/compose.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,25 +16,69 @@ std::span<warp::Pixel> row_of(warp::Image& image, int y) {
   return {image[y], static_cast<std::size_t>(image.cols)};
 }
 
+/// What the pixels of a row take of each picture but the first: one value each if all pixels take alike.
+using WeightRows = std::vector<std::span<const float>>;
+
+/// What they take of the picture `side` in a mix of it and those before it. @pre side > 0. @param scratch  may hold it.
+std::span<const float> shares(SideIndex side, const WeightRows& weights, std::vector<float>& scratch) {
+  if (side == weights.size()) return weights.back();
+  scratch.resize(weights.front().size());
+  for (std::size_t i = 0; i < scratch.size(); ++i) {
+    float rest = 1;
+    for (SideIndex later = side; later < weights.size(); ++later) rest -= weights[later][i];
+    scratch[i] = rest > 0 ? std::min(1.0F, weights[side - 1][i] / rest) : 0;
+  }
+  return scratch;
+}
+
+bool is_local(const Warper& warper) {
+  return std::ranges::any_of(warper.weights(), &WeightRange::is_local);
+}
+
+/// The weights of each picture but the first, if they are alike everywhere.
+std::vector<float> uniform_weights(const Warper& warper) {
+  std::vector<float> weights;
+  for (SideIndex side = 1; side < warper.weights().size(); ++side)
+    weights.push_back(static_cast<float>(warper.weights()[side].least));
+  return weights;
+}
+
+WeightRows rows_of(const std::vector<float>& uniform) {
+  WeightRows rows;
+  for (const float& weight : uniform) rows.emplace_back(&weight, 1);
+  return rows;
+}
+
+/// The first picture that shows, which the others are mixed onto.
+SideIndex bottom_of(const Warper& warper) {
+  return static_cast<SideIndex>(std::ranges::find_if(warper.weights(), &WeightRange::shows) - warper.weights().begin());
+}
+
 /// Draws bands of a frame for methods that sample at positions.
 class BandComposer {
  public:
   BandComposer(const Stage& stage, const Warper& warper, warp::Filter filter, project::Blend blend)
-      : stage_(stage), warper_(warper), dissolve_(warper.dissolve()), filter_(filter), blend_(blend) {}
+      : stage_(stage),
+        warper_(warper),
+        local_(is_local(warper)),
+        uniform_(uniform_weights(warper)),
+        filter_(filter),
+        blend_(blend) {}
 
   void mixed(int top, warp::Image& out) const {
-    Scratch& scratch = positions(top, out.size(), dissolve_.is_local());
-    if (!dissolve_.shows(kSource)) return sample(kDestination, scratch, out);
-    sample(kSource, scratch, out);
-    if (!dissolve_.shows(kDestination)) return;
-    scratch.pixels.create(out.size());
-    sample(kDestination, scratch, scratch.pixels);
-    const auto whole = static_cast<float>(dissolve_.least);
-    const auto width = static_cast<std::size_t>(out.cols);
-    for (int y = 0; y < out.rows; ++y) {
-      const std::span<const float> alpha =
-          dissolve_.is_local() ? std::span<const float>(scratch.dissolve[y], width) : std::span(&whole, 1);
-      dissolve_row(row_of(out, y), row_of(scratch.pixels, y), alpha, blend_);
+    Scratch& scratch = positions(top, out.size(), local_);
+    const SideIndex bottom = bottom_of(warper_);
+    sample(bottom, scratch, out);
+    WeightRows rows = rows_of(uniform_);
+    for (SideIndex side = bottom + 1; side < stage_.sides.size(); ++side) {
+      if (!warper_.weights()[side].shows()) continue;
+      scratch.pixels.create(out.size());
+      sample(side, scratch, scratch.pixels);
+      for (int y = 0; y < out.rows; ++y) {
+        for (std::size_t i = 0; i < scratch.weights.size(); ++i)
+          rows[i] = {scratch.weights[i][y], static_cast<std::size_t>(out.cols)};
+        dissolve_row(row_of(out, y), row_of(scratch.pixels, y), shares(side, rows, scratch.shares), blend_);
+      }
     }
   }
 
@@ -44,15 +89,17 @@ class BandComposer {
   struct Scratch {
     std::vector<warp::Map> maps;
     warp::Image pixels;
-    cv::Mat1f dissolve;
+    std::vector<cv::Mat1f> weights;  ///< none if they are uniform
+    std::vector<float> shares;
   };
 
-  Scratch& positions(int top, cv::Size band, bool with_dissolve) const {
+  Scratch& positions(int top, cv::Size band, bool with_weights) const {
     thread_local Scratch scratch;
     scratch.maps.resize(stage_.sides.size());
     for (warp::Map& map : scratch.maps) map.create(band);
-    if (with_dissolve) scratch.dissolve.create(band);
-    warper_.positions(top, scratch.maps, Pixels::kHeld, with_dissolve ? &scratch.dissolve : nullptr);
+    scratch.weights.resize(with_weights ? stage_.sides.size() - 1 : 0);
+    for (cv::Mat1f& weights : scratch.weights) weights.create(band);
+    warper_.positions(top, scratch.maps, Pixels::kHeld, scratch.weights);
     return scratch;
   }
 
@@ -63,7 +110,8 @@ class BandComposer {
 
   const Stage& stage_;
   const Warper& warper_;
-  DissolveRange dissolve_;
+  bool local_;
+  std::vector<float> uniform_;
   warp::Filter filter_;
   project::Blend blend_;
 };
@@ -82,16 +130,21 @@ warp::Image in_bands(const Stage& stage, const Draw& draw) {
   return out;
 }
 
-/// Mixes whole pictures, in place of `source`.
-void mix(warp::Image& source, warp::Image& destination, const Warper& warper, project::Blend blend) {
-  const DissolveRange dissolve = warper.dissolve();
-  const auto whole = static_cast<float>(dissolve.least);
-  const auto columns = static_cast<std::size_t>(source.cols);
-  for_rows(source.rows, [&](int begin, int end) {
-    std::vector<float> alpha(dissolve.is_local() ? columns : 1, whole);
+/// Mixes a whole picture onto those before it.
+void mix(warp::Image& image, warp::Image& picture, SideIndex side, const Warper& warper, project::Blend blend) {
+  const bool local = is_local(warper);
+  const std::vector<float> uniform = uniform_weights(warper);
+  for_rows(image.rows, [&](int begin, int end) {
+    WeightRows rows = rows_of(uniform);
+    std::vector<std::vector<float>> weights(local ? rows.size() : 0,
+                                            std::vector<float>(static_cast<std::size_t>(image.cols)));
+    std::vector<float> scratch;
     for (int y = begin; y < end; ++y) {
-      if (dissolve.is_local()) warper.dissolve_row(y, alpha);
-      dissolve_row(row_of(source, y), row_of(destination, y), alpha, blend);
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        warper.weight_row(i + 1, y, weights[i]);
+        rows[i] = weights[i];
+      }
+      dissolve_row(row_of(image, y), row_of(picture, y), shares(side, rows, scratch), blend);
     }
   });
 }
@@ -99,15 +152,16 @@ void mix(warp::Image& source, warp::Image& destination, const Warper& warper, pr
 }  // namespace
 
 warp::Image compose(const Stage& stage, const Warper& warper, warp::Filter filter, project::Blend blend) {
-  const DissolveRange dissolve = warper.dissolve();
-  std::optional<warp::Image> drawn = warper.drawn(dissolve.shows(kSource) ? kSource : kDestination);
+  const SideIndex bottom = bottom_of(warper);
+  std::optional<warp::Image> drawn = warper.drawn(bottom);
   if (!drawn) {
     const BandComposer bands(stage, warper, filter, blend);
     return in_bands(stage, [&](int top, warp::Image& band) { bands.mixed(top, band); });
   }
-  if (dissolve.shows(kSource) && dissolve.shows(kDestination)) {
-    warp::Image other = *warper.drawn(kDestination);
-    mix(*drawn, other, warper, blend);
+  for (SideIndex side = bottom + 1; side < stage.sides.size(); ++side) {
+    if (!warper.weights()[side].shows()) continue;
+    warp::Image other = *warper.drawn(side);
+    mix(*drawn, other, side, warper, blend);
   }
   return *std::move(drawn);
 }

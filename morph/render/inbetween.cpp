@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "morph/motion/curve.h"
 
@@ -21,85 +22,112 @@ std::vector<cv::Point2d> on_canvas(const std::vector<cv::Point2d>& points, const
   return result;
 }
 
-warp::Line between_centres(const LinePair& pair, double s, double turns) {
-  const cv::Point2d from = pair.source.q - pair.source.p;
-  const cv::Point2d to = pair.destination.q - pair.destination.p;
-  const double angle_from = std::atan2(from.y, from.x);
-  // The shorter way round, in (-pi, pi]: remainder() maps a half turn to either sign, so name one.
-  double turn = std::remainder(std::atan2(to.y, to.x) - angle_from, 2 * std::numbers::pi);
-  if (turn <= -std::numbers::pi) turn += 2 * std::numbers::pi;
-  const double angle_rad = angle_from + s * (turn + 2 * std::numbers::pi * turns);
-  const double half = std::lerp(std::hypot(from.x, from.y), std::hypot(to.x, to.y), s) / 2;
+/// How far each side's line is turned from the first one, rad: from side to side the shorter way, and `turns` more.
+std::vector<double> turned(const std::vector<warp::Line>& sides, double turns) {
+  std::vector<double> result{0};
+  for (std::size_t side = 1; side < sides.size(); ++side) {
+    const cv::Point2d from = sides[side - 1].q - sides[side - 1].p, to = sides[side].q - sides[side].p;
+    // The shorter way round, in (-pi, pi]: remainder() maps a half turn to either sign, so name one.
+    double turn = std::remainder(std::atan2(to.y, to.x) - std::atan2(from.y, from.x), 2 * std::numbers::pi);
+    if (turn <= -std::numbers::pi) turn += 2 * std::numbers::pi;
+    result.push_back(result.back() + (turn + 2 * std::numbers::pi * turns));
+  }
+  return result;
+}
+
+warp::Line between_centres(const std::vector<warp::Line>& sides, std::span<const double> weights, double turns) {
+  const cv::Point2d first = sides.front().q - sides.front().p;
+  const std::vector<double> turn = turned(sides, turns);
+  const double angle_rad = std::atan2(first.y, first.x) + mean(weights, [&](std::size_t side) { return turn[side]; });
+  const auto length = [&](std::size_t side) {
+    const cv::Point2d arm = sides[side].q - sides[side].p;
+    return std::hypot(arm.x, arm.y);
+  };
+  const double half = mean(weights, length) / 2;
   const cv::Point2d centre =
-      lerp((pair.source.p + pair.source.q) / 2.0, (pair.destination.p + pair.destination.q) / 2.0, s);
+      mean(weights, [&](std::size_t side) { return cv::Point2d((sides[side].p + sides[side].q) / 2.0); });
   const cv::Point2d arm{half * std::cos(angle_rad), half * std::sin(angle_rad)};
   return {centre - arm, centre + arm};
 }
 
-void append_curve(const project::Feature& feature, const project::Curve& curve, const Placement& source,
-                  const Placement& destination, const LinePair& prototype, double unit, std::vector<LinePair>& pairs) {
-  const motion::Curve from(curve.kind, on_canvas(feature.places[project::kSource], source), curve.closed);
-  const motion::Curve to(curve.kind, on_canvas(feature.places[project::kDestination], destination), curve.closed);
+/// The side that has all the weight; nullptr if none has.
+const warp::Line* whole_side(const std::vector<warp::Line>& sides, std::span<const double> weights) {
+  const auto weighs = [](double weight) { return weight != 0; };
+  const auto first = std::ranges::find_if(weights, weighs);
+  if (std::find_if(first + 1, weights.end(), weighs) != weights.end()) return nullptr;
+  return &sides[static_cast<std::size_t>(first - weights.begin())];
+}
+
+/// A chain of lines with equal arc length on every side.
+void append_curve(const project::MomentFeature& feature, const project::Curve& curve, std::size_t index,
+                  std::span<const Placement> placements, double unit, std::vector<FeatureLine>& lines) {
   const double tolerance = kChordTolerancePx / unit;
-  const int chords = std::max({motion::chords_needed(from, tolerance, kMaxChords),
-                               motion::chords_needed(to, tolerance, kMaxChords), curve.closed ? 3 : 1});
-  const std::vector<cv::Point2d> a = motion::equal_arc_points(from, chords);
-  const std::vector<cv::Point2d> b = motion::equal_arc_points(to, chords);
-  for (std::size_t i = 0; i + 1 < a.size(); ++i) {
-    LinePair pair = prototype;
-    pair.source = {a[i], a[i + 1]};
-    pair.destination = {b[i], b[i + 1]};
-    pairs.push_back(std::move(pair));
+  int chords = curve.closed ? 3 : 1;
+  std::vector<motion::Curve> curves;
+  for (std::size_t side = 0; side < placements.size(); ++side) {
+    curves.emplace_back(curve.kind, on_canvas(feature.places[side], placements[side]), curve.closed);
+    chords = std::max(chords, motion::chords_needed(curves.back(), tolerance, kMaxChords));
+  }
+  const std::size_t first = lines.size();
+  lines.resize(first + static_cast<std::size_t>(chords), {{}, index});
+  for (const motion::Curve& side : curves) {
+    const std::vector<cv::Point2d> points = motion::equal_arc_points(side, chords);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) lines[first + i].sides.push_back({points[i], points[i + 1]});
   }
 }
 
 }  // namespace
 
-std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source, const Placement& destination,
-                                 double unit) {
-  std::vector<LinePair> pairs;
-  for (std::size_t i = 0; i < project.features.size(); ++i) {
-    const project::Feature& feature = project.features[i];
-    LinePair pair;
-    pair.pull = project::effective_pull(project, feature);
-    pair.pace = project::effective_pace(project, feature);
-    pair.feature = static_cast<int>(i);
+std::vector<FeatureLine> feature_lines(const std::vector<project::MomentFeature>& features,
+                                       std::span<const Placement> placements, double unit) {
+  std::vector<FeatureLine> lines;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const project::MomentFeature& feature = features[i];
     if (const auto* curve = std::get_if<project::Curve>(&feature.mark)) {
-      append_curve(feature, *curve, source, destination, pair, unit, pairs);
+      append_curve(feature, *curve, i, placements, unit, lines);
       continue;
     }
-    const std::vector<cv::Point2d> a = on_canvas(feature.places[project::kSource], source);
-    const std::vector<cv::Point2d> b = on_canvas(feature.places[project::kDestination], destination);
-    pair.source = {a.front(), a.back()};
-    pair.destination = {b.front(), b.back()};
-    pairs.push_back(std::move(pair));
-  }
-  return pairs;
-}
-
-warp::Line between(const LinePair& pair, double s) {
-  if (s == 0) return pair.source;
-  if (s == 1) return pair.destination;
-  const bool unchanged = pair.source.p == pair.destination.p && pair.source.q == pair.destination.q;
-  const double turns = pair.pull.turns.value_or(0);
-  if (*pair.pull.between == project::Between::kCentre && !(unchanged && turns == 0))
-    return between_centres(pair, s, turns);
-  return {lerp(pair.source.p, pair.destination.p, s), lerp(pair.source.q, pair.destination.q, s)};
-}
-
-std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t, double unit) {
-  std::vector<warp::FieldLine> lines;
-  lines.reserve(pairs.size());
-  for (const LinePair& pair : pairs) {
-    warp::FieldLine line;
-    line.output = between(pair, motion::progress(*pair.pace.shape, t));
-    line.targets = {pair.source, pair.destination};
-    line.weight = {*pair.pull.a, *pair.pull.b, *pair.pull.p, unit};
-    line.scale = *pair.pull.scale;
-    line.value = std::clamp(motion::progress(*pair.pace.dissolve, t), 0.0, 1.0);
+    FeatureLine line{{}, i};
+    for (std::size_t side = 0; side < placements.size(); ++side) {
+      const project::Points& place = feature.places[side];
+      line.sides.push_back({placements[side].to_canvas(place.front()), placements[side].to_canvas(place.back())});
+    }
     lines.push_back(std::move(line));
   }
   return lines;
+}
+
+warp::Line between(const FeatureLine& line, const project::MomentFeature& feature, std::span<const double> weights) {
+  const std::vector<warp::Line>& sides = line.sides;
+  if (const warp::Line* whole = whole_side(sides, weights)) return *whole;
+  const bool unchanged =
+      std::ranges::all_of(sides, [&](const warp::Line& side) { return side.p == sides[0].p && side.q == sides[0].q; });
+  if (feature.between == project::Between::kCentre && !(unchanged && feature.turns == 0))
+    return between_centres(sides, weights, feature.turns);
+  return {mean(weights, [&](std::size_t side) { return sides[side].p; }),
+          mean(weights, [&](std::size_t side) { return sides[side].q; })};
+}
+
+warp::Line between(const FeatureLine& line, const project::Moment& moment) {
+  return between(line, (*moment.features)[line.feature], moment.feature_weights[line.feature].shape);
+}
+
+std::vector<warp::FieldLine> field_lines(const std::vector<FeatureLine>& lines, const project::Moment& moment,
+                                         double unit) {
+  std::vector<warp::FieldLine> result;
+  result.reserve(lines.size());
+  for (const FeatureLine& line : lines) {
+    const project::MomentFeature& feature = (*moment.features)[line.feature];
+    warp::FieldLine field;
+    field.output = between(line, moment);
+    field.targets = line.sides;
+    field.weight = feature.weight;
+    field.weight.unit = unit;
+    field.scale = feature.scale;
+    field.value = moment.feature_weights[line.feature].dissolve.back();
+    result.push_back(std::move(field));
+  }
+  return result;
 }
 
 }  // namespace morphkit::render

@@ -1,34 +1,39 @@
 #pragma once
-// Features of both sides -> the lines of one moment.
+// Features on every picture -> the lines of one moment.
 
-#include <string>
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include "morph/project/project.h"
+#include "morph/project/evaluate.h"
 #include "morph/render/placement.h"
 #include "warp/field/line_field.h"
 
 namespace morphkit::render {
 
-/// A line on both sides, on the canvas, with the settings that decide its moments. Points have p == q; curves are
-/// chains of lines.
-struct LinePair {
-  warp::Line source, destination;  ///< canvas px
-  project::Pull pull;              ///< no member empty
-  project::Pace pace;              ///< likewise
-  int feature = -1;                ///< index into Project::features
+/// A line of a feature on every picture, on the canvas. Points have p == q; curves are chains of lines.
+struct FeatureLine {
+  std::vector<warp::Line> sides;  ///< canvas px, in the order of the pictures
+  std::size_t feature = 0;        ///< index into Moment::features
 };
 
-/// All features as pairs of canvas lines; curves become chains of equal arc length on both sides.
-/// @param unit  canvas px per px of the placements, so that a view gets the same chains as the whole canvas.
-std::vector<LinePair> line_pairs(const project::Project& project, const Placement& source, const Placement& destination,
-                                 double unit = 1);
+/// All features as lines; curves become chains of equal arc length on all sides.
+/// @param placements  of the pictures. @param unit  canvas px per px of the placements, so that a view gets the same
+/// chains as the whole canvas.
+std::vector<FeatureLine> feature_lines(const std::vector<project::MomentFeature>& features,
+                                       std::span<const Placement> placements, double unit = 1);
 
-/// The line at progress s from source (0) to destination (1). s = 0 and 1 give the ends bit for bit.
-warp::Line between(const LinePair& pair, double s);
+/// The mean of a line's sides. A side with all the weight gives its line bit for bit.
+/// @param feature  that the line belongs to. @param weights  of the sides; they sum to 1.
+warp::Line between(const FeatureLine& line, const project::MomentFeature& feature, std::span<const double> weights);
 
-/// The lines of the moment t in [0, 1]: in-between lines, targets (source, destination), weights, and the dissolve
-/// progress of each feature as its value. @param unit  warp::LineWeight::unit, for pairs on a view of the canvas.
-std::vector<warp::FieldLine> field_lines(const std::vector<LinePair>& pairs, double t, double unit = 1);
+/// The same at a moment.
+warp::Line between(const FeatureLine& line, const project::Moment& moment);
+
+/// The lines of a moment: in-between lines, targets (one per side), weights. The value of a line is what its feature
+/// takes of the last picture's colour.
+/// @param lines  of the moment's features. @param unit  warp::LineWeight::unit, for lines on a view of the canvas.
+std::vector<warp::FieldLine> field_lines(const std::vector<FeatureLine>& lines, const project::Moment& moment,
+                                         double unit = 1);
 
 }  // namespace morphkit::render

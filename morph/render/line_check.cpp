@@ -75,13 +75,19 @@ bool are_twins(const warp::Line& from_a, const warp::Line& to_a, const warp::Lin
          distance(carried(from_b, to_b, from_a.q), to_a.q) >= kTwinSpreadPx;
 }
 
+std::vector<FeatureLine> lines_of(const Renderer& renderer, const project::Moment& moment) {
+  std::vector<Placement> placements;
+  for (const StageSide& side : renderer.stage().sides) placements.push_back(side.file);
+  return feature_lines(*moment.features, placements);
+}
+
 class LineChecker {
  public:
   LineChecker(const Renderer& renderer, std::vector<Finding>& findings)
       : renderer_(renderer),
-        features_(renderer.project().features),
-        pairs_(line_pairs(renderer.project(), renderer.stage().sides[kSource].file,
-                          renderer.stage().sides[kDestination].file)),
+        moment_(renderer.moment(renderer.clock().at(0.5))),
+        features_(*moment_.features),
+        lines_(lines_of(renderer, moment_)),
         findings_(findings) {}
 
   void run() {
@@ -91,7 +97,7 @@ class LineChecker {
   }
 
  private:
-  const std::string& id(const LinePair& pair) const { return features_[static_cast<std::size_t>(pair.feature)].id; }
+  const std::string& id(const FeatureLine& line) const { return features_[line.feature].id; }
 
   void add(Finding finding, std::string message) {
     finding.message = std::move(message);
@@ -99,12 +105,13 @@ class LineChecker {
   }
 
   void find_crossings() {
-    const auto source = [](const LinePair& pair) { return pair.source; };
-    const auto destination = [](const LinePair& pair) { return pair.destination; };
-    const auto half = [](const LinePair& pair) { return between(pair, motion::progress(*pair.pace.shape, 0.5)); };
+    const auto source = [](const FeatureLine& line) { return line.sides[kSource]; };
+    const auto destination = [](const FeatureLine& line) { return line.sides[kDestination]; };
+    const auto half = [&](const FeatureLine& line) { return between(line, moment_); };
     const Placement& on_source = renderer_.placement(kSource);
     const Placement& on_destination = renderer_.placement(kDestination);
-    std::set<std::pair<int, int>> known;  // a pair that crosses on a side also does in between: said once
+    std::set<std::pair<std::size_t, std::size_t>>
+        known;  // a pair that crosses on a side also does in between: said once
     find_crossings_of(
         source, "source", 0, [&](cv::Point2d x) { return on_source.to_image(x); }, known);
     find_crossings_of(
@@ -115,24 +122,24 @@ class LineChecker {
 
   template <typename LineOf, typename Place>
   void find_crossings_of(const LineOf& line_of, const char* where, double t, const Place& place,
-                         std::set<std::pair<int, int>>& known) {
+                         std::set<std::pair<std::size_t, std::size_t>>& known) {
     std::vector<warp::Line> lines;
-    lines.reserve(pairs_.size());
-    for (const LinePair& pair : pairs_) lines.push_back(line_of(pair));
-    std::set<std::pair<int, int>> here;
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
+    lines.reserve(lines_.size());
+    for (const FeatureLine& line : lines_) lines.push_back(line_of(line));
+    std::set<std::pair<std::size_t, std::size_t>> here;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      for (std::size_t j = i + 1; j < lines_.size(); ++j) {
         const auto x = crossing(lines[i], lines[j]);
-        const std::pair<int, int> key{pairs_[i].feature, pairs_[j].feature};
+        const std::pair key{lines_[i].feature, lines_[j].feature};
         if (!x || (t == 0.5 && known.contains(key)) || !here.insert(key).second) continue;
         const cv::Point2d at = place(*x);
-        Finding finding{Finding::Kind::kCrossing, true, where, {id(pairs_[i]), id(pairs_[j])}, {}, at, t, 0, 0, 0, {}};
+        Finding finding{Finding::Kind::kCrossing, true, where, {id(lines_[i]), id(lines_[j])}, {}, at, t, 0, 0, 0, {}};
         add(std::move(finding),
             key.first == key.second
-                ? fmt::format("\"{}\" crosses itself at ({:.0f}, {:.0f}) {}", id(pairs_[i]), at.x, at.y,
+                ? fmt::format("\"{}\" crosses itself at ({:.0f}, {:.0f}) {}", id(lines_[i]), at.x, at.y,
                               place_text(where))
                 : fmt::format("\"{}\" and \"{}\" cross at ({:.0f}, {:.0f}) {}: pixels there are pulled two ways",
-                              id(pairs_[i]), id(pairs_[j]), at.x, at.y, place_text(where)));
+                              id(lines_[i]), id(lines_[j]), at.x, at.y, place_text(where)));
       }
     known.insert(here.begin(), here.end());
   }
@@ -140,16 +147,18 @@ class LineChecker {
   static std::string place_text(const std::string& where) { return where == "in between" ? where : "in the " + where; }
 
   void find_twins() {
-    std::set<std::pair<int, int>> said;
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      for (std::size_t j = i + 1; j < pairs_.size(); ++j) {
-        const LinePair &a = pairs_[i], &b = pairs_[j];
+    std::set<std::pair<std::size_t, std::size_t>> said;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      for (std::size_t j = i + 1; j < lines_.size(); ++j) {
+        const FeatureLine &a = lines_[i], &b = lines_[j];
         if (a.feature == b.feature) continue;
-        const bool in_source = are_twins(a.source, a.destination, b.source, b.destination);
-        if (!in_source && !are_twins(a.destination, a.source, b.destination, b.source)) continue;
+        const bool in_source =
+            are_twins(a.sides[kSource], a.sides[kDestination], b.sides[kSource], b.sides[kDestination]);
+        if (!in_source && !are_twins(a.sides[kDestination], a.sides[kSource], b.sides[kDestination], b.sides[kSource]))
+          continue;
         if (!said.insert({a.feature, b.feature}).second) continue;
         const SideIndex side = in_source ? kSource : kDestination;
-        const warp::Line& line = in_source ? a.source : a.destination;
+        const warp::Line& line = in_source ? a.sides[kSource] : a.sides[kDestination];
         const std::string where = in_source ? "source" : "destination";
         const cv::Point2d at = renderer_.placement(side).to_image((line.p + line.q) / 2.0);
         add({Finding::Kind::kTwins, true, where, {id(a), id(b)}, {}, at, in_source ? 0.0 : 1.0, 0, 0, 0, {}},
@@ -161,7 +170,7 @@ class LineChecker {
   }
 
   void find_outside() {
-    for (const project::Feature& feature : features_) {
+    for (const project::MomentFeature& feature : features_) {
       const bool source_cropped = find_outside(feature, kSource, feature.places[kSource], "source");
       const bool destination_cropped = find_outside(feature, kDestination, feature.places[kDestination], "destination");
       if (source_cropped && destination_cropped)
@@ -171,7 +180,7 @@ class LineChecker {
   }
 
   /// Reports the first point outside the picture. @return whether all points are off the canvas.
-  bool find_outside(const project::Feature& feature, SideIndex side, const std::vector<cv::Point2d>& points,
+  bool find_outside(const project::MomentFeature& feature, SideIndex side, const std::vector<cv::Point2d>& points,
                     const char* where) {
     const cv::Rect2d picture({0, 0}, cv::Size2d(renderer_.picture_size(side)));
     const cv::Rect2d canvas({0, 0}, cv::Size2d(renderer_.size()));
@@ -188,8 +197,9 @@ class LineChecker {
   }
 
   const Renderer& renderer_;
-  const std::vector<project::Feature>& features_;
-  std::vector<LinePair> pairs_;
+  const project::Moment moment_;
+  const std::vector<project::MomentFeature>& features_;
+  std::vector<FeatureLine> lines_;
   std::vector<Finding>& findings_;
 };
 
@@ -199,17 +209,16 @@ void check_lines(const Renderer& renderer, std::vector<Finding>& findings) {
   LineChecker(renderer, findings).run();
 }
 
-std::vector<std::string> nearest_features(const Renderer& renderer, cv::Point2d position, double t) {
+std::vector<std::string> nearest_features(const Renderer& renderer, cv::Point2d position, project::Time time) {
   constexpr int kNearestFeatures = 3;
-  const std::vector<project::Feature>& features = renderer.project().features;
-  std::vector<std::pair<double, int>> distances;
-  for (const LinePair& pair :
-       line_pairs(renderer.project(), renderer.stage().sides[kSource].file, renderer.stage().sides[kDestination].file))
-    distances.emplace_back(distance_to(between(pair, motion::progress(*pair.pace.shape, t)), position), pair.feature);
+  const project::Moment moment = renderer.moment(time);
+  std::vector<std::pair<double, std::size_t>> distances;
+  for (const FeatureLine& line : lines_of(renderer, moment))
+    distances.emplace_back(distance_to(between(line, moment), position), line.feature);
   std::sort(distances.begin(), distances.end());
   std::vector<std::string> ids;
   for (const auto& [distance, feature] : distances) {
-    const std::string& name = features[static_cast<std::size_t>(feature)].id;
+    const std::string& name = (*moment.features)[feature].id;
     if (std::find(ids.begin(), ids.end(), name) == ids.end()) ids.push_back(name);
     if (ids.size() == kNearestFeatures) break;
   }

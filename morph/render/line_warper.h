@@ -1,6 +1,8 @@
 #pragma once
 // Warping by feature lines: one pass of the field per band serves all pictures.
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "morph/render/inbetween.h"
@@ -10,31 +12,34 @@ namespace morphkit::render {
 
 class LineWarper : public Warper {
  public:
-  /// @param lines  of the moment, canvas px; one target per side.
-  LineWarper(std::span<const warp::FieldLine> lines, warp::FieldAccuracy accuracy, DissolveRange dissolve,
+  /// @param lines  of the moment's features.
+  LineWarper(const project::Moment& moment, const std::vector<FeatureLine>& lines, std::vector<WeightRange> weights,
              const Stage& stage);
 
-  void positions(int top, std::span<warp::Map> maps, Pixels pixels, cv::Mat1f* dissolve) const override;
+  void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const override;
 
  private:
-  warp::LineField field_;
+  /// The first one spreads the weights of the last picture; where these are not alike everywhere, one more spreads
+  /// those of each picture between the first and the last.
+  std::vector<warp::LineField> fields_;
   warp::FieldAccuracy accuracy_;
 };
 
 class LinePlan : public Plan {
  public:
-  LinePlan(const project::Project& project, const project::LinesMethod& method, const Stage& stage);
+  LinePlan(const project::Evaluator& moments, const Stage& stage);
 
-  std::unique_ptr<Warper> at(double t) const override;
-  DissolveRange dissolve(double t) const override;
+  std::unique_ptr<Warper> at(const project::Moment& moment) const override;
+  std::vector<WeightRange> weights(const project::Moment& moment) const override;
   std::string label() const override;
 
  private:
-  const project::Project& project_;
-  const project::LinesMethod method_;
+  using Lines = std::shared_ptr<const std::vector<FeatureLine>>;
+  Lines lines_of(const project::Moment& moment) const;
+
   const Stage& stage_;
-  std::vector<LinePair> pairs_;
-  bool local_dissolve_ = false;  ///< some feature dissolves in its own time
+  project::Moment first_;
+  Lines lines_;  ///< of the first moment's features
 };
 
 }  // namespace morphkit::render

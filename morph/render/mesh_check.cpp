@@ -1,9 +1,14 @@
 #include "morph/render/mesh_check.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,26 +34,30 @@ Finding fold_finding(const warp::Mesh& mesh, const std::vector<warp::MeshFold>& 
 }
 
 /// Reports a mesh that folds on either side; if neither does, the moment in between at which it folds most.
-void find_mesh_folds(const MeshPair& pair, std::vector<Finding>& findings) {
-  const auto in_source = warp::find_folds(pair.source_file), in_destination = warp::find_folds(pair.destination_file);
-  if (!in_source.empty()) findings.push_back(fold_finding(pair.source_file, in_source, "source", 0));
-  if (!in_destination.empty())
-    findings.push_back(fold_finding(pair.destination_file, in_destination, "destination", 1));
-  if (!in_source.empty() || !in_destination.empty()) return;
-  std::vector<warp::MeshFold> worst;
-  double worst_t = 0;
-  for (const double t : kMoments) {
-    std::vector<warp::MeshFold> folds = warp::find_folds(between(pair, t));
-    if (folds.size() <= worst.size()) continue;
-    worst = std::move(folds);
-    worst_t = t;
+void find_mesh_folds(std::span<const MeshMoment> moments, std::vector<Finding>& findings) {
+  const std::vector<MeshSide>& sides = *moments.front().sides;
+  const std::size_t before = findings.size();
+  for (SideIndex side = 0; side < sides.size(); ++side) {
+    const std::vector<warp::MeshFold> folds = warp::find_folds(sides[side].file);
+    if (!folds.empty())
+      findings.push_back(fold_finding(sides[side].file, folds, name_of(side), static_cast<double>(side)));
   }
-  if (!worst.empty()) findings.push_back(fold_finding(between(pair, worst_t), worst, "in between", worst_t));
+  if (findings.size() > before) return;
+  std::size_t most = 0;
+  std::optional<Finding> worst;
+  for (const MeshMoment& mesh : moments) {
+    const warp::Mesh in_between = between(*mesh.sides, mesh.moment);
+    const std::vector<warp::MeshFold> folds = warp::find_folds(in_between);
+    if (folds.size() <= most) continue;
+    most = folds.size();
+    worst = fold_finding(in_between, folds, "in between", mesh.moment.time.t);
+  }
+  if (worst) findings.push_back(*std::move(worst));
 }
 
-void find_bottleneck(const project::Project& project, const MeshPair& pair, SideIndex side,
-                     std::vector<Finding>& findings) {
-  const MeshPasses passes = choose_passes(project.warp.mesh.order, pair, side);
+void find_bottleneck(std::span<const MeshMoment> moments, SideIndex side, std::vector<Finding>& findings) {
+  const warp::PassOrder order = std::get<project::MeshMethod>(moments.front().moment.method).order;
+  const MeshPasses passes = choose_passes(order, moments, side);
   if (passes.folds == 0 && passes.area_lost < kVisibleLoss) return;
   Finding finding;
   finding.kind = Finding::Kind::kBottleneck;
@@ -65,17 +74,24 @@ void find_bottleneck(const project::Project& project, const MeshPair& pair, Side
   findings.push_back(std::move(finding));
 }
 
+MeshMoment mesh_at(const Renderer& renderer, project::Time time) {
+  const project::Moment moment = renderer.moment(time);
+  return {moment, std::make_shared<const std::vector<MeshSide>>(
+                      mesh_sides(*moment.mesh, renderer.stage(), renderer.project().file))};
+}
+
 }  // namespace
 
 void check_mesh(const Renderer& renderer, std::vector<Finding>& findings) {
-  const MeshPair pair = mesh_pair(renderer.project(), renderer.stage());
-  find_mesh_folds(pair, findings);
-  find_bottleneck(renderer.project(), pair, kSource, findings);
-  find_bottleneck(renderer.project(), pair, kDestination, findings);
+  std::vector<MeshMoment> moments;
+  for (const double t : kMoments) moments.push_back(mesh_at(renderer, renderer.clock().at(t)));
+  find_mesh_folds(moments, findings);
+  for (SideIndex side = 0; side < renderer.stage().sides.size(); ++side) find_bottleneck(moments, side, findings);
 }
 
-cv::Point nearest_vertex(const Renderer& renderer, cv::Point2d position, double t) {
-  const warp::Mesh mesh = between(mesh_pair(renderer.project(), renderer.stage()), t);
+cv::Point nearest_vertex(const Renderer& renderer, cv::Point2d position, project::Time time) {
+  const MeshMoment at = mesh_at(renderer, time);
+  const warp::Mesh mesh = between(*at.sides, at.moment);
   const auto distance = [&](cv::Point2d vertex) { return (vertex - position).dot(vertex - position); };
   const auto nearest = std::min_element(mesh.vertices.begin(), mesh.vertices.end(),
                                         [&](cv::Point2d a, cv::Point2d b) { return distance(a) < distance(b); });

@@ -1,9 +1,5 @@
 #include "morph/render/mesh_inbetween.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -22,22 +18,23 @@ warp::Mesh on_canvas(warp::Mesh mesh, const Placement& placement) {
 
 }  // namespace
 
-warp::Mesh mesh_on(const project::Project& project, SideIndex side, cv::Size picture) {
-  const std::vector<cv::Point2d>& vertices = project.mesh->vertices[side];
-  const int columns = project.mesh->columns, rows = project.mesh->rows;
+warp::Mesh mesh_on(const project::MomentMesh& mesh, SideIndex side, cv::Size picture,
+                   const std::filesystem::path& project_file) {
+  const project::Points& vertices = mesh.vertices[side];
   const cv::Rect2d border({0, 0}, cv::Size2d(picture));
-  if (vertices.empty()) return warp::uniform_mesh(columns, rows, border);
-  warp::Mesh mesh{columns, rows, vertices};
-  if (const auto off = warp::off_outline(mesh, border, kOutlineTolerancePx)) {
-    const cv::Point2d at = mesh.at(off->column, off->row);
-    throw Error(ErrorCode::kBadInput,
-                fmt::format("{}: /mesh/{}/{}", project.file.string(), name_of(side), mesh.index(off->column, off->row)),
-                fmt::format("the vertex in column {}, row {} is at ({:g}, {:g}) but belongs to the border of the "
-                            "picture, which is {}x{}: border vertices lie on the border, corners at the corners",
-                            off->column, off->row, at.x, at.y, picture.width, picture.height));
+  if (vertices.empty()) return warp::uniform_mesh(mesh.columns, mesh.rows, border);
+  warp::Mesh result{mesh.columns, mesh.rows, vertices};
+  if (const auto off = warp::off_outline(result, border, kOutlineTolerancePx)) {
+    const cv::Point2d at = result.at(off->column, off->row);
+    throw Error(
+        ErrorCode::kBadInput,
+        fmt::format("{}: /mesh/{}/{}", project_file.string(), name_of(side), result.index(off->column, off->row)),
+        fmt::format("the vertex in column {}, row {} is at ({:g}, {:g}) but belongs to the border of the "
+                    "picture, which is {}x{}: border vertices lie on the border, corners at the corners",
+                    off->column, off->row, at.x, at.y, picture.width, picture.height));
   }
-  warp::snap_to_outline(mesh, border);
-  return mesh;
+  warp::snap_to_outline(result, border);
+  return result;
 }
 
 warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
@@ -48,55 +45,36 @@ warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
   return mesh;
 }
 
-MeshPair mesh_pair(const project::Project& project, const Stage& stage) {
-  const project::Mesh& mesh = *project.mesh;
-  MeshPair pair;
-  pair.source_file = mesh_on(project, kSource, stage.sides[kSource].file_size);
-  pair.destination_file = mesh_on(project, kDestination, stage.sides[kDestination].file_size);
-  pair.source_held = brought_to(pair.source_file, stage.sides[kSource].file_size, stage.sides[kSource].image.size());
-  pair.destination_held =
-      brought_to(pair.destination_file, stage.sides[kDestination].file_size, stage.sides[kDestination].image.size());
-  pair.source_canvas = on_canvas(pair.source_file, stage.sides[kSource].file);
-  pair.destination_canvas = on_canvas(pair.destination_file, stage.sides[kDestination].file);
-  pair.timings.push_back(project::effective_pace(project));
-  pair.timing.assign(pair.source_file.vertices.size(), 0);
-  for (const project::MeshGroup& group : mesh.groups) {
-    for (const cv::Point& vertex : group.vertices)
-      pair.timing[pair.source_file.index(vertex.x, vertex.y)] = pair.timings.size();
-    pair.timings.push_back(project::effective_pace(project, group.group));
+std::vector<MeshSide> mesh_sides(const project::MomentMesh& mesh, const Stage& stage,
+                                 const std::filesystem::path& project_file) {
+  std::vector<MeshSide> sides;
+  for (SideIndex side = 0; side < stage.sides.size(); ++side) {
+    const StageSide& picture = stage.sides[side];
+    const warp::Mesh file = mesh_on(mesh, side, picture.file_size, project_file);
+    sides.push_back({file, brought_to(file, picture.file_size, picture.image.size()), on_canvas(file, picture.file)});
   }
-  return pair;
+  return sides;
 }
 
-warp::Mesh between(const MeshPair& pair, double t) {
-  std::vector<double> progress;
-  progress.reserve(pair.timings.size());
-  for (const project::Pace& pace : pair.timings) progress.push_back(motion::progress(*pace.shape, t));
-  warp::Mesh mesh = pair.source_canvas;
+warp::Mesh between(const std::vector<MeshSide>& sides, const project::Moment& moment) {
+  const auto mean_of = [&](const project::Weights& weights, const auto& position_of) {
+    return mean(weights.shape, [&](SideIndex side) { return position_of(sides[side].canvas); });
+  };
+  const std::vector<std::size_t>& group = moment.mesh->group;
+  warp::Mesh mesh = sides.front().canvas;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    mesh.vertices[i] =
-        lerp(pair.source_canvas.vertices[i], pair.destination_canvas.vertices[i], progress[pair.timing[i]]);
-  const cv::Rect2d from = outline(pair.source_canvas), to = outline(pair.destination_canvas);
-  const double whole = progress.front();
-  warp::snap_to_outline(mesh, {lerp(from.tl(), to.tl(), whole), lerp(from.br(), to.br(), whole)});
+    mesh.vertices[i] = mean_of(moment.mesh_weights[group[i]], [&](const warp::Mesh& side) { return side.vertices[i]; });
+  const project::Weights& whole = moment.mesh_weights.front();
+  warp::snap_to_outline(mesh, {mean_of(whole, [](const warp::Mesh& side) { return outline(side).tl(); }),
+                               mean_of(whole, [](const warp::Mesh& side) { return outline(side).br(); })});
   return mesh;
 }
 
-std::vector<double> dissolves(const MeshPair& pair, double t) {
-  std::vector<double> progress;
-  progress.reserve(pair.timings.size());
-  for (const project::Pace& pace : pair.timings)
-    progress.push_back(std::clamp(motion::progress(*pace.dissolve, t), 0.0, 1.0));
+std::vector<double> dissolves(const project::Moment& moment, SideIndex side) {
   std::vector<double> values;
-  values.reserve(pair.timing.size());
-  for (const std::size_t timing : pair.timing) values.push_back(progress[timing]);
+  values.reserve(moment.mesh->group.size());
+  for (const std::size_t group : moment.mesh->group) values.push_back(moment.mesh_weights[group].dissolve[side]);
   return values;
-}
-
-bool shows(const MeshPair& pair, SideIndex side, double t) {
-  const std::vector<double> progress = dissolves(pair, t);
-  return std::any_of(progress.begin(), progress.end(),
-                     [&](double alpha) { return side == kSource ? alpha < 1 : alpha > 0; });
 }
 
 }  // namespace morphkit::render

@@ -5,6 +5,8 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,16 @@ warp::Border border_of(const project::Project& project, const Stage& stage) {
   return std::ranges::all_of(stage.sides, [](const StageSide& side) { return side.border == warp::Border::kClamp; })
              ? warp::Border::kClamp
              : warp::Border::kTransparent;
+}
+
+/// Over the groups that have vertices.
+std::vector<WeightRange> weights_of(const project::Moment& moment) {
+  std::vector<bool> used(moment.mesh_weights.size(), false);
+  for (const std::size_t group : moment.mesh->group) used[group] = true;
+  std::vector<project::Weights> weights;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) weights.push_back(moment.mesh_weights[i]);
+  return ranges_of(weights);
 }
 
 }  // namespace
@@ -47,41 +59,44 @@ void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std
                           folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : ""));
 }
 
-MeshPasses passes_of(const MeshPair& pair, SideIndex side, warp::PassOrder order) {
+MeshPasses passes_of(std::span<const MeshMoment> moments, SideIndex side, warp::PassOrder order) {
   MeshPasses worst{order, 0, 0, 0};
-  for (const double t : kMoments) {
-    if (!shows(pair, side, t)) continue;
-    const warp::Mesh to = between(pair, t);
-    const std::size_t folds = warp::find_folds(warp::intermediate_mesh(pair.held(side), to, order)).size();
-    const double area_lost = warp::area_lost(pair.held(side), to, order);
-    if (std::tie(folds, area_lost) > std::tie(worst.folds, worst.area_lost)) worst = {order, folds, area_lost, t};
+  for (const MeshMoment& mesh : moments) {
+    if (!weights_of(mesh.moment)[side].shows()) continue;
+    const warp::Mesh& held = (*mesh.sides)[side].held;
+    const warp::Mesh to = between(*mesh.sides, mesh.moment);
+    const std::size_t folds = warp::find_folds(warp::intermediate_mesh(held, to, order)).size();
+    const double area_lost = warp::area_lost(held, to, order);
+    if (std::tie(folds, area_lost) > std::tie(worst.folds, worst.area_lost))
+      worst = {order, folds, area_lost, mesh.moment.time.t};
   }
   return worst;
 }
 
-MeshPasses choose_passes(warp::PassOrder asked, const MeshPair& pair, SideIndex side) {
-  if (asked != warp::PassOrder::kAuto) return passes_of(pair, side, asked);
-  const MeshPasses rows = passes_of(pair, side, warp::PassOrder::kRowsFirst);
-  const MeshPasses columns = passes_of(pair, side, warp::PassOrder::kColumnsFirst);
+MeshPasses choose_passes(warp::PassOrder asked, std::span<const MeshMoment> moments, SideIndex side) {
+  if (asked != warp::PassOrder::kAuto) return passes_of(moments, side, asked);
+  const MeshPasses rows = passes_of(moments, side, warp::PassOrder::kRowsFirst);
+  const MeshPasses columns = passes_of(moments, side, warp::PassOrder::kColumnsFirst);
   return std::tie(columns.folds, columns.area_lost) < std::tie(rows.folds, rows.area_lost) ? columns : rows;
 }
 
-MeshWarper::MeshWarper(const MeshPair& pair, std::span<const MeshPasses> passes, warp::MeshSpline spline, warp::Mesh to,
-                       std::span<const double> values, warp::Border border, const Stage& stage)
-    : Warper(stage, {std::ranges::min(values), std::ranges::max(values)}),
-      pair_(pair),
+MeshWarper::MeshWarper(const MeshMoment& mesh, std::span<const MeshPasses> passes, warp::Border border,
+                       const Stage& stage)
+    : Warper(stage, weights_of(mesh.moment)),
+      sides_(mesh.sides),
       passes_(passes),
-      spline_(spline),
-      to_(std::move(to)),
-      values_(to_, values),
-      border_(border) {}
-
-warp::MeshWarp MeshWarper::bend(SideIndex side, Pixels pixels) const {
-  const warp::Mesh& from = pixels == Pixels::kHeld ? pair_.held(side) : pair_.file(side);
-  return {from, to_, {spline_, passes_[side].order}};
+      spline_(std::get<project::MeshMethod>(mesh.moment.method).spline),
+      to_(between(*mesh.sides, mesh.moment)),
+      border_(border) {
+  for (SideIndex side = 1; side < sides_->size(); ++side) values_.emplace_back(to_, dissolves(mesh.moment, side));
 }
 
-void MeshWarper::positions(int top, std::span<warp::Map> maps, Pixels pixels, cv::Mat1f* dissolve) const {
+warp::MeshWarp MeshWarper::bend(SideIndex side, Pixels pixels) const {
+  const MeshSide& from = (*sides_)[side];
+  return {pixels == Pixels::kHeld ? from.held : from.file, to_, {spline_, passes_[side].order}};
+}
+
+void MeshWarper::positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const {
   for (SideIndex side = 0; side < maps.size(); ++side) {
     const warp::MeshWarp warp = bend(side, pixels);
     for (int y = 0; y < maps[side].rows; ++y)
@@ -90,9 +105,9 @@ void MeshWarper::positions(int top, std::span<warp::Map> maps, Pixels pixels, cv
         maps[side](y, x) = {static_cast<float>(position.x), static_cast<float>(position.y)};
       }
   }
-  if (dissolve == nullptr) return;
-  for (int y = 0; y < dissolve->rows; ++y)
-    dissolve_row(top + y, {(*dissolve)[y], static_cast<std::size_t>(dissolve->cols)});
+  for (SideIndex i = 0; i < weights.size(); ++i)
+    for (int y = 0; y < weights[i].rows; ++y)
+      weight_row(i + 1, top + y, {weights[i][y], static_cast<std::size_t>(weights[i].cols)});
 }
 
 warp::Map MeshWarper::map(SideIndex side, Pixels pixels) const {
@@ -103,40 +118,41 @@ std::optional<warp::Image> MeshWarper::drawn(SideIndex side) const {
   return bend(side, Pixels::kHeld).apply(stage().sides[side].image, stage().size, border_);
 }
 
-void MeshWarper::dissolve_row(int y, std::span<float> out) const {
-  values_.row(y, out);
+void MeshWarper::weight_row(SideIndex side, int y, std::span<float> out) const {
+  values_[side - 1].row(y, out);
 }
 
-MeshPlan::MeshPlan(const project::Project& project, const project::MeshMethod& method, const Stage& stage,
+MeshPlan::MeshPlan(const project::Project& project, const project::Evaluator& moments, const Stage& stage,
                    bool allow_folds)
-    : project_(project),
-      method_(method),
-      stage_(stage),
-      pair_(mesh_pair(project, stage)),
-      border_(border_of(project, stage)),
-      allow_folds_(allow_folds) {
-  for (SideIndex side = 0; side < stage.sides.size(); ++side)
-    passes_.push_back(choose_passes(method.order, pair_, side));
+    : file_(project.file), stage_(stage), border_(border_of(project, stage)), allow_folds_(allow_folds) {
+  first_ = mesh_at(moments.at(moments.clock().at(0)));
+  std::vector<MeshMoment> looked_at;
+  for (const double t : kMoments) looked_at.push_back(mesh_at(moments.at(moments.clock().at(t))));
+  const warp::PassOrder asked = std::get<project::MeshMethod>(first_.moment.method).order;
+  for (SideIndex side = 0; side < stage.sides.size(); ++side) passes_.push_back(choose_passes(asked, looked_at, side));
   if (allow_folds) return;
   for (SideIndex side = 0; side < stage.sides.size(); ++side) {
     const char* const name = name_of(side);
-    require_unfolded(pair_.file(side), fmt::format("the {} mesh folds over", name),
-                     fmt::format("{}: /mesh/{}/", project.file.string(), name));
+    require_unfolded((*first_.sides)[side].file, fmt::format("the {} mesh folds over", name),
+                     fmt::format("{}: /mesh/{}/", file_.string(), name));
   }
 }
 
-std::unique_ptr<Warper> MeshPlan::at(double t) const {
-  return std::make_unique<MeshWarper>(pair_, passes_, method_.spline, between(pair_, t), dissolves(pair_, t), border_,
-                                      stage_);
+MeshMoment MeshPlan::mesh_at(const project::Moment& moment) const {
+  if (first_.sides && moment.mesh == first_.moment.mesh) return {moment, first_.sides};
+  return {moment, std::make_shared<const std::vector<MeshSide>>(mesh_sides(*moment.mesh, stage_, file_))};
 }
 
-DissolveRange MeshPlan::dissolve(double t) const {
-  const std::vector<double> values = dissolves(pair_, t);
-  return {std::ranges::min(values), std::ranges::max(values)};
+std::unique_ptr<Warper> MeshPlan::at(const project::Moment& moment) const {
+  return std::make_unique<MeshWarper>(mesh_at(moment), passes_, border_, stage_);
+}
+
+std::vector<WeightRange> MeshPlan::weights(const project::Moment& moment) const {
+  return weights_of(moment);
 }
 
 std::string MeshPlan::label() const {
-  std::string text = fmt::format("mesh of {} x {} vertices", pair_.source_file.columns, pair_.source_file.rows);
+  std::string text = fmt::format("mesh of {} x {} vertices", first_.moment.mesh->columns, first_.moment.mesh->rows);
   for (SideIndex side = 0; side < passes_.size(); ++side)
     text += fmt::format("{} {} {} ({:.1f} % of the area lost between the passes)", side == 0 ? ";" : ",", name_of(side),
                         text_of(passes_[side].order), 100 * passes_[side].area_lost);
@@ -152,15 +168,18 @@ std::size_t MeshPlan::scratch_bytes() const {
   return (static_cast<std::size_t>(stage_.size.area()) + intermediate) * sizeof(warp::Pixel);
 }
 
-void MeshPlan::require(double t) const {
+void MeshPlan::require(const project::Moment& moment) const {
   if (allow_folds_) return;
-  const warp::Mesh mesh = between(pair_, t);
-  const std::string place = project_.file.string() + ": /mesh";
+  const MeshMoment at = mesh_at(moment);
+  const warp::Mesh mesh = between(*at.sides, moment);
+  const std::string place = file_.string() + ": /mesh";
+  const double t = moment.time.t;
   require_unfolded(mesh, fmt::format("at t = {:g} the in-between mesh folds over", t), place);
+  const std::vector<WeightRange> weights = weights_of(moment);
   for (SideIndex side = 0; side < passes_.size(); ++side) {
-    if (!dissolve(t).shows(side)) continue;
+    if (!weights[side].shows()) continue;
     const warp::PassOrder order = passes_[side].order;
-    require_unfolded(warp::intermediate_mesh(pair_.held(side), mesh, order),
+    require_unfolded(warp::intermediate_mesh((*at.sides)[side].held, mesh, order),
                      fmt::format("at t = {:g} the {} turns too far for two passes, {}, and folds between them", t,
                                  name_of(side), text_of(order)),
                      place);

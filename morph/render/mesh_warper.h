@@ -1,6 +1,9 @@
 #pragma once
 // Warping by a mesh: each picture goes in two passes onto the in-between mesh.
 
+#include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,54 +25,59 @@ struct MeshPasses {
 /// Below this, what two passes lose of the area is not seen.
 inline constexpr double kVisibleLoss = 0.05;
 
-/// @param order  kRowsFirst or kColumnsFirst.
-MeshPasses passes_of(const MeshPair& pair, SideIndex side, warp::PassOrder order);
+/// A moment and its mesh on every picture, shared by moments whose mesh lies alike.
+struct MeshMoment {
+  project::Moment moment;
+  std::shared_ptr<const std::vector<MeshSide>> sides;
+};
+
+/// @param moments  those of kMoments. @param order  kRowsFirst or kColumnsFirst.
+MeshPasses passes_of(std::span<const MeshMoment> moments, SideIndex side, warp::PassOrder order);
 
 /// For all frames at once, since a change on the way would show as a jump: the order that is `asked` for, or for
 /// kAuto of both the one with fewer folds, then with less area lost.
-MeshPasses choose_passes(warp::PassOrder asked, const MeshPair& pair, SideIndex side);
+MeshPasses choose_passes(warp::PassOrder asked, std::span<const MeshMoment> moments, SideIndex side);
 
 class MeshWarper : public Warper {
  public:
-  /// @param pair, passes  of the plan, which outlives this. @param to  the in-between mesh, canvas px.
-  /// @param values  the dissolve progress of every vertex. @param border  of both pictures.
-  MeshWarper(const MeshPair& pair, std::span<const MeshPasses> passes, warp::MeshSpline spline, warp::Mesh to,
-             std::span<const double> values, warp::Border border, const Stage& stage);
+  /// @param passes  of the plan, which outlives this. @param border  of all pictures.
+  MeshWarper(const MeshMoment& mesh, std::span<const MeshPasses> passes, warp::Border border, const Stage& stage);
 
   /// Cost: O(columns + rows) for every pixel; `map` is much faster for a whole canvas.
-  void positions(int top, std::span<warp::Map> maps, Pixels pixels, cv::Mat1f* dissolve) const override;
+  void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const override;
   /// What is out of order in the mesh is squashed, as in the frame.
   warp::Map map(SideIndex side, Pixels pixels) const override;
   std::optional<warp::Image> drawn(SideIndex side) const override;
-  void dissolve_row(int y, std::span<float> out) const override;
+  void weight_row(SideIndex side, int y, std::span<float> out) const override;
 
  private:
   warp::MeshWarp bend(SideIndex side, Pixels pixels) const;
 
-  const MeshPair& pair_;
+  std::shared_ptr<const std::vector<MeshSide>> sides_;
   std::span<const MeshPasses> passes_;
   warp::MeshSpline spline_;
   warp::Mesh to_;
-  warp::MeshValues values_;
+  std::vector<warp::MeshValues> values_;  ///< the weights of every side but the first
   warp::Border border_;
 };
 
 class MeshPlan : public Plan {
  public:
   /// @throws Error kBadInput if the mesh does not fit the pictures, or folds and allow_folds is false.
-  MeshPlan(const project::Project& project, const project::MeshMethod& method, const Stage& stage, bool allow_folds);
+  MeshPlan(const project::Project& project, const project::Evaluator& moments, const Stage& stage, bool allow_folds);
 
-  std::unique_ptr<Warper> at(double t) const override;
-  DissolveRange dissolve(double t) const override;
-  void require(double t) const override;
+  std::unique_ptr<Warper> at(const project::Moment& moment) const override;
+  std::vector<WeightRange> weights(const project::Moment& moment) const override;
+  void require(const project::Moment& moment) const override;
   std::size_t scratch_bytes() const override;
   std::string label() const override;
 
  private:
-  const project::Project& project_;
-  const project::MeshMethod method_;
+  MeshMoment mesh_at(const project::Moment& moment) const;
+
+  const std::filesystem::path file_;  ///< the project, for messages
   const Stage& stage_;
-  MeshPair pair_;
+  MeshMoment first_;
   std::vector<MeshPasses> passes_;  ///< per side
   warp::Border border_;
   bool allow_folds_;

@@ -1,7 +1,10 @@
 #pragma once
 // The placement of a picture on the canvas, and interpolation between positions.
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include <opencv2/core/types.hpp>
 
@@ -12,6 +15,22 @@ namespace morphkit::render {
 /// std::lerp gives both ends exactly, and does not move if they are equal; (1 - s) a + s b does neither.
 inline cv::Point2d lerp(cv::Point2d a, cv::Point2d b, double s) {
   return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s)};
+}
+
+inline double lerp(double a, double b, double s) {
+  return std::lerp(a, b, s);
+}
+
+/// The mean of value_of(side) over the pictures; the weights sum to 1. It is exact where all values are equal, and
+/// where one picture has all the weight.
+template <typename ValueOf>
+auto mean(std::span<const double> weights, const ValueOf& value_of) {
+  if (weights.size() == 2) return lerp(value_of(0), value_of(1), weights[1]);
+  const auto heaviest = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
+  auto result = value_of(heaviest);
+  for (std::size_t side = 0; side < weights.size(); ++side)
+    if (side != heaviest) result += weights[side] * (value_of(side) - value_of(heaviest));
+  return result;
 }
 
 /// canvas = image * scale + offset, per axis.

@@ -8,8 +8,8 @@
 namespace morphkit::render {
 
 Renderer::Renderer(project::Project project, std::shared_ptr<const Stage> stage, const RendererOptions& options)
-    : body_(std::make_unique<const Body>(Body{std::move(project), std::move(stage)})),
-      plan_(make_plan(body_->project, *body_->stage, options.allow_folds)) {}
+    : body_(std::make_unique<const Body>(Body{project::Evaluator(project), std::move(project), std::move(stage)})),
+      plan_(make_plan(body_->project, body_->moments, *body_->stage, options.allow_folds)) {}
 
 Renderer::Renderer(project::Project project, const Pictures& pictures, const RendererOptions& options)
     : Renderer(project, std::make_shared<const Stage>(make_stage(project, pictures)), options) {
@@ -30,16 +30,18 @@ std::size_t Renderer::frame_bytes() const {
   return static_cast<std::size_t>(size().area()) * sizeof(warp::Pixel) + plan_->scratch_bytes();
 }
 
-warp::Image Renderer::frame(double t) const {
-  require(t);
-  warp::Image out = compose(stage(), *plan_->at(t), project().warp.filter, project().blend);
+warp::Image Renderer::frame(project::Time time) const {
+  const project::Moment now = moment(time);
+  plan_->require(now);
+  warp::Image out = compose(stage(), *plan_->at(now), project().warp.filter, project().blend);
   lay_over(out, stage().behind);
   return out;
 }
 
-warp::Image Renderer::side(double t, SideIndex side) const {
-  require(t);
-  return draw_side(stage(), *plan_->at(t), side, project().warp.filter);
+warp::Image Renderer::side(project::Time time, SideIndex side) const {
+  const project::Moment now = moment(time);
+  plan_->require(now);
+  return draw_side(stage(), *plan_->at(now), side, project().warp.filter);
 }
 
 }  // namespace morphkit::render

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "morph/project/clock.h"
+#include "morph/project/evaluate.h"
 #include "morph/project/project.h"
 #include "morph/render/stage.h"
 #include "morph/render/warper.h"
@@ -35,32 +35,35 @@ class Renderer {
   const project::Project& project() const noexcept { return body_->project; }
   const Stage& stage() const noexcept { return *body_->stage; }
 
-  project::Clock clock() const noexcept { return project::Clock(project().output); }
-  double time_of(int frame) const noexcept { return clock().at_frame(frame).t; }
+  const project::Clock& clock() const noexcept { return body_->moments.clock(); }
+  project::Time time_of(int frame) const noexcept { return clock().at_frame(frame); }
+  project::Moment moment(project::Time time) const { return body_->moments.at(time); }
+  /// The warp of a moment, which this outlives. @throws nothing for a moment that `require` refuses.
+  std::unique_ptr<Warper> warper(project::Time time) const { return plan_->at(moment(time)); }
 
   cv::Size picture_size(SideIndex side) const noexcept { return stage().sides[side].file_size; }  ///< of the file, px
   const Placement& placement(SideIndex side) const noexcept { return stage().sides[side].file; }
 
-  /// @throws Error kBadInput if the moment t cannot be rendered, naming what is in the way. Cost: O(vertices).
-  void require(double t) const { plan_->require(t); }
+  /// @throws Error kBadInput if the moment cannot be rendered, naming what is in the way. Cost: O(vertices).
+  void require(project::Time time) const { plan_->require(moment(time)); }
 
-  /// The frame at t in [0, 1]; parallel over rows. t = 0 and 1 give the pictures bit for bit where the canvas has
+  /// The frame of a moment; parallel over rows. t = 0 and 1 give the pictures bit for bit where the canvas has
   /// their size and nothing shows behind them. Memory: frame_bytes(). @throws Error as `require`.
-  warp::Image frame(double t) const;
+  warp::Image frame(project::Time time) const;
 
-  /// One picture at t as the frame shows it, without the others and without the background. @throws Error as `require`.
-  warp::Image side(double t, SideIndex side) const;
+  /// One picture as the frame shows it, without the others and without the background. @throws Error as `require`.
+  warp::Image side(project::Time time, SideIndex side) const;
 
   /// What one call of `frame` takes, its result included.
   std::size_t frame_bytes() const;
 
-  /// Whether anything of that side's picture is in the frame at t, if the other one covers the canvas.
-  bool shows(SideIndex side, double t) const { return plan_->dissolve(t).shows(side); }
+  /// Whether anything of that side's picture is in the frame, if the others cover the canvas.
+  bool shows(SideIndex side, project::Time time) const { return plan_->weights(moment(time))[side].shows(); }
 
-  /// Positions in that side's picture for every canvas pixel at t. Folds of lines show as they are; what is out of
+  /// Positions in that side's picture for every canvas pixel. Folds of lines show as they are; what is out of
   /// order in a mesh is squashed, as in the frame.
-  warp::Map map(double t, SideIndex side, Pixels pixels = Pixels::kFile) const {
-    return plan_->at(t)->map(side, pixels);
+  warp::Map map(project::Time time, SideIndex side, Pixels pixels = Pixels::kFile) const {
+    return warper(time)->map(side, pixels);
   }
 
   /// What does the work, in a few words for --verbose.
@@ -69,6 +72,7 @@ class Renderer {
  private:
   /// What the plan refers to: stays where it is when the renderer moves.
   struct Body {
+    project::Evaluator moments;
     project::Project project;
     std::shared_ptr<const Stage> stage;
   };

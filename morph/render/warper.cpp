@@ -1,5 +1,6 @@
 #include "morph/render/warper.h"
 
+#include <algorithm>
 #include <variant>
 #include <vector>
 
@@ -13,18 +14,29 @@ namespace {
 
 struct MakePlan {
   const project::Project& project;
+  const project::Evaluator& moments;
   const Stage& stage;
   bool allow_folds;
 
-  std::unique_ptr<Plan> operator()(const project::LinesMethod& method) const {
-    return std::make_unique<LinePlan>(project, method, stage);
+  std::unique_ptr<Plan> operator()(const project::LinesMethod&) const {
+    return std::make_unique<LinePlan>(moments, stage);
   }
-  std::unique_ptr<Plan> operator()(const project::MeshMethod& method) const {
-    return std::make_unique<MeshPlan>(project, method, stage, allow_folds);
+  std::unique_ptr<Plan> operator()(const project::MeshMethod&) const {
+    return std::make_unique<MeshPlan>(project, moments, stage, allow_folds);
   }
 };
 
 }  // namespace
+
+std::vector<WeightRange> ranges_of(std::span<const project::Weights> weights) {
+  std::vector<WeightRange> ranges(weights.front().dissolve.size(), {1, 0});
+  for (const project::Weights& one : weights)
+    for (SideIndex side = 0; side < ranges.size(); ++side) {
+      ranges[side].least = std::min(ranges[side].least, one.dissolve[side]);
+      ranges[side].most = std::max(ranges[side].most, one.dissolve[side]);
+    }
+  return ranges;
+}
 
 warp::Map Warper::map(SideIndex side, Pixels pixels) const {
   warp::Map map(stage_.size);
@@ -34,14 +46,15 @@ warp::Map Warper::map(SideIndex side, Pixels pixels) const {
         std::vector<warp::Map> maps;
         for (SideIndex i = 0; i < stage_.sides.size(); ++i)
           maps.push_back(i == side ? warp::Map(map.rowRange(begin, end)) : warp::Map(end - begin, map.cols));
-        positions(begin, maps, pixels, nullptr);
+        positions(begin, maps, pixels, {});
       },
       warp::kFieldTile);
   return map;
 }
 
-std::unique_ptr<Plan> make_plan(const project::Project& project, const Stage& stage, bool allow_folds) {
-  return std::visit(MakePlan{project, stage, allow_folds}, project::method_of(project));
+std::unique_ptr<Plan> make_plan(const project::Project& project, const project::Evaluator& moments, const Stage& stage,
+                                bool allow_folds) {
+  return std::visit(MakePlan{project, moments, stage, allow_folds}, project::method_of(project));
 }
 
 }  // namespace morphkit::render

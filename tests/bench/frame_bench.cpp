@@ -57,9 +57,9 @@ void whole_frame(benchmark::State& state) {
   pictures.source.image = noise(1);
   pictures.destination.image = noise(2);
   const Renderer renderer(project, pictures);
-  if (cv::norm(renderer.frame(0), pictures.source.image, cv::NORM_INF) != 0)
+  if (cv::norm(renderer.frame(renderer.clock().at(0)), pictures.source.image, cv::NORM_INF) != 0)
     state.SkipWithError("t = 0 is not the source");
-  for (auto _ : state) benchmark::DoNotOptimize(renderer.frame(0.5));
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.frame(renderer.clock().at(0.5)));
   state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
   set_threads(0);
 }

@@ -51,7 +51,7 @@ TEST_P(Golden, LooksAsItDid) {
   const project::Project project = small(project::load(samples::write(painted(sample), folder.path(), true)));
   const render::Renderer renderer(project, render::load_pictures(project));
   const fs::path file = folder / (name + ".png");
-  media::write_image(file, renderer.frame(t));
+  media::write_image(file, renderer.frame(renderer.clock().at(t)));
   test::expect_golden(name, file);
 }
 

@@ -33,6 +33,11 @@ inline render::Pictures pictures(warp::Image source, warp::Image destination, bo
   return result;
 }
 
+/// The frame at progress t.
+inline warp::Image frame_at(const render::Renderer& renderer, double t) {
+  return renderer.frame(renderer.clock().at(t));
+}
+
 inline project::Feature line(std::string id, warp::Line source, warp::Line destination) {
   project::Feature feature;
   feature.id = std::move(id);

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "cli/edit/document/document.h"
 #include "cli/edit/document/marks.h"
 #include "morph/render/inbetween.h"
 #include "warp/field/line_field.h"
@@ -34,31 +37,33 @@ const cv::Point2d kCentre{0.5, 0.5};
 /// The lines of `side` as the output and those of the other as the target, all moved so that `on_canvas` is the centre
 /// of pixel (0, 0): the field is evaluated at pixel centres, and is most precise for small positions. A tiny line that
 /// rounding makes a point on only one side carries no information and is left out.
-std::vector<warp::FieldLine> lines_about(const std::vector<render::LinePair>& pairs, SideIndex side,
+std::vector<warp::FieldLine> lines_about(const std::vector<render::FeatureLine>& all,
+                                         const std::vector<project::MomentFeature>& features, SideIndex side,
                                          cv::Point2d on_canvas) {
   const cv::Point2d shift = kCentre - on_canvas;
   std::vector<warp::FieldLine> lines;
-  lines.reserve(pairs.size());
-  for (const render::LinePair& pair : pairs) {
-    const bool from_source = side == project::kSource;
-    const warp::Line& here = from_source ? pair.source : pair.destination;
-    const warp::Line& there = from_source ? pair.destination : pair.source;
+  lines.reserve(all.size());
+  for (const render::FeatureLine& both : all) {
+    const warp::Line& here = both.sides[side];
+    const warp::Line& there = both.sides[other(side)];
     const warp::Line output{here.p + shift, here.q + shift}, target{there.p + shift, there.q + shift};
     if ((output.p == output.q) != (target.p == target.q) || !in_range(output) || !in_range(target)) continue;
     warp::FieldLine line;
     line.output = output;
     line.targets = {target};
-    line.weight = {*pair.pull.a, *pair.pull.b, *pair.pull.p};
-    line.scale = *pair.pull.scale;
+    line.weight = features[both.feature].weight;
+    line.scale = features[both.feature].scale;
     lines.push_back(std::move(line));
   }
   return lines;
 }
 
 /// Canvas to canvas; nullopt if the features give nothing there.
-std::optional<cv::Point2d> carried_by_lines(const std::vector<render::LinePair>& pairs, SideIndex side,
+std::optional<cv::Point2d> carried_by_lines(const std::vector<project::MomentFeature>& features,
+                                            std::span<const render::Placement> placements, SideIndex side,
                                             cv::Point2d on_canvas) {
-  const std::vector<warp::FieldLine> lines = lines_about(pairs, side, on_canvas);
+  const std::vector<warp::FieldLine> lines =
+      lines_about(render::feature_lines(features, placements), features, side, on_canvas);
   if (lines.empty()) return std::nullopt;
   std::array<warp::Map, 1> maps{warp::Map(1, 1)};
   warp::LineField(lines, 1).reference({0, 0, 1, 1}, maps);
@@ -100,36 +105,32 @@ std::optional<cv::Point2d> carried_by_mesh(const warp::Mesh& here, const warp::M
 
 }  // namespace
 
-std::vector<cv::Point2d> vertices_on(const project::Project& project, SideIndex side, cv::Size picture) {
-  if (!project.mesh) return {};
-  const project::Mesh& mesh = *project.mesh;
-  const auto& vertices = mesh.vertices[side];
-  if (!vertices.empty()) return vertices;
-  return warp::uniform_mesh(mesh.columns, mesh.rows, {{0, 0}, cv::Size2d(picture)}).vertices;
+project::Points vertices_on(cv::Size picture, int columns, int rows, const project::Points& listed) {
+  if (!listed.empty()) return listed;
+  return warp::uniform_mesh(columns, rows, {{0, 0}, cv::Size2d(picture)}).vertices;
 }
 
-cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, SideIndex side,
-                        cv::Point2d position) {
-  const bool from_source = side == project::kSource;
-  const cv::Size here = from_source ? source : destination, there = from_source ? destination : source;
-  const SideIndex other_side = from_source ? project::kDestination : project::kSource;
+cv::Point2d counterpart(const project::Project& project, const project::Moment& moment, cv::Size source,
+                        cv::Size destination, SideIndex side, cv::Point2d position) {
+  const std::array sizes{source, destination};
+  const cv::Size here = sizes[side], there = sizes[other(side)];
   const cv::Size canvas = render::canvas_size(project, source);
-  const render::Placement placed = render::place(here, canvas, project.output.fit);
-  const render::Placement other_placed = render::place(there, canvas, project.output.fit);
-  const cv::Point2d on_canvas = placed.to_canvas(position);
-  if (project::method_name_of(project) == project::MethodName::kMesh && project.mesh) {
-    const int columns = project.mesh->columns, rows = project.mesh->rows;
-    const auto carried =
-        carried_by_mesh({columns, rows, vertices_on(project, side, here)},
-                        {columns, rows, vertices_on(project, other_side, there)}, into(position, here));
+  const std::array placements{render::place(source, canvas, project.output.fit),
+                              render::place(destination, canvas, project.output.fit)};
+  const cv::Point2d on_canvas = placements[side].to_canvas(position);
+  if (std::holds_alternative<project::MeshMethod>(moment.method) && moment.mesh) {
+    const auto mesh_on = [&](SideIndex which) {
+      const project::MomentMesh& mesh = *moment.mesh;
+      return warp::Mesh{mesh.columns, mesh.rows,
+                        vertices_on(sizes[which], mesh.columns, mesh.rows, mesh.vertices[which])};
+    };
+    const auto carried = carried_by_mesh(mesh_on(side), mesh_on(other(side)), into(position, here));
     if (carried) return into(*carried, there);
-  } else if (!project.features.empty()) {
-    const auto pairs = from_source ? render::line_pairs(project, placed, other_placed)
-                                   : render::line_pairs(project, other_placed, placed);
-    if (const auto carried = carried_by_lines(pairs, side, on_canvas))
-      return into(other_placed.to_image(*carried), there);
+  } else if (!moment.features->empty()) {
+    if (const auto carried = carried_by_lines(*moment.features, placements, side, on_canvas))
+      return into(placements[other(side)].to_image(*carried), there);
   }
-  return into(other_placed.to_image(on_canvas), there);
+  return into(placements[other(side)].to_image(on_canvas), there);
 }
 
 }  // namespace morphkit::edit

@@ -5,7 +5,7 @@
 
 #include <opencv2/core/types.hpp>
 
-#include "morph/project/project.h"
+#include "morph/project/evaluate.h"
 #include "morph/render/stage.h"
 
 namespace morphkit::edit {
@@ -14,12 +14,12 @@ namespace morphkit::edit {
 /// With features, the field of all of them gives it. With a mesh, the two triangles of each cell give it; a render's
 /// spline agrees with them only at the vertices, but this is good enough for a first guess. Without either, it is the
 /// position under the same canvas pixel.
-/// @param source, destination  sizes of the pictures, px.
+/// @param moment  of the project. @param source, destination  sizes of the pictures, px.
 /// @param position  finite. Cost: O(lines) or O(vertices).
-cv::Point2d counterpart(const project::Project& project, cv::Size source, cv::Size destination, project::SideIndex side,
-                        cv::Point2d position);
+cv::Point2d counterpart(const project::Project& project, const project::Moment& moment, cv::Size source,
+                        cv::Size destination, project::SideIndex side, cv::Point2d position);
 
-/// The vertices of the project's mesh on one picture of that size, px, also for a uniform mesh. Empty without a mesh.
-std::vector<cv::Point2d> vertices_on(const project::Project& project, project::SideIndex side, cv::Size picture);
+/// The vertices of a mesh on one picture of that size, px, also if it is uniform and so lists none.
+project::Points vertices_on(cv::Size picture, int columns, int rows, const project::Points& listed);
 
 }  // namespace morphkit::edit

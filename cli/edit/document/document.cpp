@@ -48,6 +48,12 @@ Document::Document(Project project, cv::Size source, cv::Size destination)
 void Document::touch() {
   ++revision_;
   changed_.reset();
+  moments_.reset();
+}
+
+const project::Evaluator& Document::moments() const {
+  if (!moments_) moments_.emplace(project());
+  return *moments_;
 }
 
 void Document::change(const std::function<void(Project&)>& edit) {
@@ -135,7 +141,8 @@ void Document::select_all_vertices() {
 }
 
 cv::Point2d Document::counterpart(SideIndex side, cv::Point2d position) const {
-  return edit::counterpart(project(), source_, destination_, side, position);
+  const project::Moment moment = moments().at(moments().clock().at(0));
+  return edit::counterpart(project(), moment, source_, destination_, side, position);
 }
 
 int Document::add(Feature feature) {
@@ -255,7 +262,7 @@ void Document::duplicate_selected(cv::Point2d by) {
 
 void Document::swap_ends_selected() {
   change_selected([](Feature& feature) {
-    if (is_closed(feature)) return;
+    if (is_closed(feature.mark)) return;
     for (SideIndex side = 0; side < feature.places.size(); ++side) reverse(feature, side);
   });
 }

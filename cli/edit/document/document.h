@@ -11,6 +11,7 @@
 #include <opencv2/core/types.hpp>
 
 #include "cli/edit/document/history.h"
+#include "morph/project/evaluate.h"
 #include "morph/project/project.h"
 #include "morph/render/stage.h"
 
@@ -38,6 +39,7 @@ class Document {
   Document(project::Project project, cv::Size source, cv::Size destination);
 
   const project::Project& project() const noexcept { return state_.project; }
+  const project::Evaluator& moments() const;  ///< of the project as it is now
   const Selection& selection() const noexcept { return state_.selection; }
   cv::Size picture_size(SideIndex side) const noexcept { return side == project::kSource ? source_ : destination_; }
   std::uint64_t revision() const noexcept { return revision_; }  ///< another number whenever the project changes
@@ -129,7 +131,8 @@ class Document {
   History history_;
   project::Project saved_;
   std::uint64_t revision_ = 0;
-  mutable std::optional<bool> changed_;  ///< the answer for this revision, if asked before
+  mutable std::optional<project::Evaluator> moments_;  ///< of this revision, if asked before
+  mutable std::optional<bool> changed_;                ///< the answer for this revision, if asked before
 };
 
 }  // namespace morphkit::edit

@@ -136,7 +136,9 @@ void Document::make_mesh(int columns, int rows) {
 }
 
 std::vector<cv::Point2d> Document::mesh_vertices(SideIndex side) const {
-  return vertices_on(project(), side, picture_size(side));
+  if (!has_mesh()) return {};
+  const project::Mesh& mesh = *project().mesh;
+  return vertices_on(picture_size(side), mesh.columns, mesh.rows, mesh.vertices[side]);
 }
 
 void Document::move_vertices(std::span<const int> vertices, SideIndex side, cv::Point2d by) {

@@ -38,7 +38,7 @@ bool fits(const Mark& mark, const Points& points) {
 
 /// Whether both ends of an open feature lie at the same place, on both sides.
 bool is_joined(const Feature& feature) {
-  return !std::holds_alternative<project::Point>(feature.mark) && !is_closed(feature) &&
+  return !std::holds_alternative<project::Point>(feature.mark) && !is_closed(feature.mark) &&
          ends_meet(feature.places[project::kSource]);
 }
 
@@ -70,15 +70,15 @@ cv::Point2d kept(cv::Point2d point) {
   return {std::clamp(point.x, -kMaxCoordinate, kMaxCoordinate), std::clamp(point.y, -kMaxCoordinate, kMaxCoordinate)};
 }
 
-bool is_closed(const Feature& feature) {
-  const auto* curve = std::get_if<project::Curve>(&feature.mark);
+bool is_closed(const Mark& mark) {
+  const auto* curve = std::get_if<project::Curve>(&mark);
   return curve != nullptr && curve->closed;
 }
 
 bool sound(const Feature& feature) {
   const auto good = [&](const Points& points) { return within_limits(points) && fits(feature.mark, points); };
   if (!std::ranges::all_of(feature.places, good)) return false;
-  if (std::holds_alternative<project::Point>(feature.mark) || is_closed(feature)) return true;
+  if (std::holds_alternative<project::Point>(feature.mark) || is_closed(feature.mark)) return true;
   return std::ranges::all_of(
       feature.places, [&](const Points& points) { return ends_meet(points) == ends_meet(feature.places.front()); });
 }
@@ -110,7 +110,7 @@ bool move_all(Feature& feature, SideIndex side, cv::Point2d by) {
 
 void reverse(Feature& feature, SideIndex side) {
   Points& points = points_of(feature, side);
-  std::reverse(points.begin() + (is_closed(feature) ? 1 : 0), points.end());
+  std::reverse(points.begin() + (is_closed(feature.mark) ? 1 : 0), points.end());
 }
 
 std::string_view word_for(const Mark& mark) {

@@ -25,7 +25,7 @@ cv::Point2d settled(cv::Point2d point);
 cv::Point2d kept(cv::Point2d point);
 
 /// Whether the mark is a closed curve.
-bool is_closed(const project::Feature& feature);
+bool is_closed(const project::Mark& mark);
 
 /// Whether the project file takes the places of the feature: both sides are points or lines or curves of the kind that
 /// it says, within kMaxCoordinate.

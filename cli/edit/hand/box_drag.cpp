@@ -22,15 +22,18 @@ Selection inside_of(const cv::Rect2d& box, const Model& model, SideIndex side) {
     return at.x >= box.x && at.y >= box.y && at.x <= box.br().x && at.y <= box.br().y;
   };
   Selection found;
+  const project::Moment moment = model.moment();
   if (row_of(model.tool).edits == Edits::kMesh) {
-    const std::vector<cv::Point2d> vertices = model.document.mesh_vertices(side);
+    if (!moment.mesh) return found;
+    const project::Points vertices = vertices_of(model, moment, side);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (inside(vertices[i])) found.vertices.push_back(static_cast<int>(i));
     return found;
   }
-  const auto& features = model.document.project().features;
+  const std::vector<project::MomentFeature>& features = *moment.features;
   for (std::size_t i = 0; i < features.size(); ++i)
-    if (std::ranges::any_of(outline_of(features[i], side), inside)) found.features.push_back(static_cast<int>(i));
+    if (std::ranges::any_of(outline_of(features[i].mark, features[i].places[side]), inside))
+      found.features.push_back(static_cast<int>(i));
   return found;
 }
 

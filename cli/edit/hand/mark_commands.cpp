@@ -84,7 +84,7 @@ void nudge(const ToolContext& context, Nudge by) {
   // The held mark may be gone: the project may have been replaced since.
   const bool alone = held && document.selection().features == std::vector{held->feature};
   if (alone && held->point >= 0 && held->side == side) {
-    document.move_point(held->feature, side, held->point, position_of(document, *held) + step);
+    document.move_point(held->feature, side, held->point, position_of(context.model(), *held) + step);
   } else {
     document.move_selected(side, step);
   }

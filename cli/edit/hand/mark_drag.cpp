@@ -63,7 +63,7 @@ std::unique_ptr<Drag> press_mark(ToolContext& context, const Press& press, const
 }
 
 PointDrag::PointDrag(ToolContext& context, const Press& press, const Handle& handle)
-    : PictureDrag(context, press), handle_(handle), from_(position_of(context.document(), handle)) {
+    : PictureDrag(context, press), handle_(handle), from_(position_of(context.model(), handle)) {
   begin_step(context.document());
 }
 

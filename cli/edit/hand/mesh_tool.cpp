@@ -63,7 +63,7 @@ void MeshTool::add_at_mouse(bool column) {
   const std::optional<Pane> pane = context().panes().pane_at(model().mouse);
   std::optional<MeshPlace> place;
   if (pane && *pane != Pane::kResult)
-    place = mesh_place_at(document(), side_of(*pane), context().content_at(*pane, model().mouse));
+    place = mesh_place_at(model(), side_of(*pane), context().content_at(*pane, model().mouse));
   if (!place) return context().say("point at the place in the mesh");
   // Not so near to a vertex that nothing could lie between.
   constexpr double kLeast = 0.05;

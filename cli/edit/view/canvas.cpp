@@ -88,20 +88,22 @@ void Canvas::draw_result(const Model& model, const Panes& panes, const PreviewPi
   if (preview.image.empty() || area.empty() || area != preview.area) return;  // or of a pane that had another size
   cv::resize(preview.image, target(area), area.size(), 0, 0, cv::INTER_LINEAR);
   const bool lines = model.document.method() == project::MethodName::kLines;
-  if (model.switches.features && lines) draw_between(target, model, pairs_of(model), panes.scale);
+  if (model.switches.features && lines)
+    draw_between(
+        target, model, [&](const project::Moment& moment) -> auto& { return lines_of(model, moment); }, panes.scale);
 }
 
-const std::vector<render::LinePair>& Canvas::pairs_of(const Model& model) {
-  if (paired_revision_ != model.document.revision()) {
-    const project::Project& project = model.document.project();
+const std::vector<render::FeatureLine>& Canvas::lines_of(const Model& model, const project::Moment& moment) {
+  if (features_ != moment.features) {
     const cv::Size canvas = model.content_size(Pane::kResult);
-    const auto placed = [&](SideIndex side) {
-      return render::place(model.document.picture_size(side), canvas, project.output.fit);
-    };
-    pairs_ = render::line_pairs(project, placed(project::kSource), placed(project::kDestination));
-    paired_revision_ = model.document.revision();
+    const project::Fit fit = model.document.project().output.fit;
+    std::vector<render::Placement> placements;
+    for (SideIndex side = 0; side < model.document.project().pictures.size(); ++side)
+      placements.push_back(render::place(model.document.picture_size(side), canvas, fit));
+    lines_ = render::feature_lines(*moment.features, placements);
+    features_ = moment.features;
   }
-  return pairs_;
+  return lines_;
 }
 
 }  // namespace morphkit::edit

@@ -1,7 +1,7 @@
 #pragma once
 // Draws the model.
 
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +15,7 @@
 
 namespace morphkit::edit {
 
-/// Draws the canvas. Caches the scaled pictures and the line pairs.
+/// Draws the canvas. Caches the scaled pictures and the lines of features.
 class Canvas {
  public:
   /// The pyramids outlive it.
@@ -34,15 +34,15 @@ class Canvas {
 
   void draw_picture(const Model& model, const Panes& panes, SideIndex side);
   void draw_result(const Model& model, const Panes& panes, const PreviewPicture& preview);
-  const std::vector<render::LinePair>& pairs_of(const Model& model);
+  const std::vector<render::FeatureLine>& lines_of(const Model& model, const project::Moment& moment);
 
   const Pyramid& source_;
   const Pyramid& destination_;
   Type type_;
   cv::Mat3b canvas_;
   std::optional<Shown> shown_[2];
-  std::optional<std::uint64_t> paired_revision_;
-  std::vector<render::LinePair> pairs_;  ///< of that revision
+  std::shared_ptr<const std::vector<project::MomentFeature>> features_;
+  std::vector<render::FeatureLine> lines_;  ///< of those features
 };
 
 }  // namespace morphkit::edit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
 
 #include "cli/edit/document/marks.h"
 #include "cli/edit/view/paint.h"
@@ -92,14 +93,14 @@ void draw_number(const Pen& pen, cv::Point2d at, int feature, const Look& look) 
                 mixed(look.color, palette::kLight, 0.4));
 }
 
-void draw_feature(const Pen& pen, const Model& model, SideIndex side, int index) {
-  const project::Feature& feature = model.document.project().features[static_cast<std::size_t>(index)];
+void draw_feature(const Pen& pen, const Model& model, const project::Moment& moment, SideIndex side, int index) {
+  const project::MomentFeature& feature = (*moment.features)[static_cast<std::size_t>(index)];
   const Look look = look_of(model, index);
-  const std::vector<cv::Point2d> points = pen.at(points_of(feature, side));
-  const std::vector<cv::Point2d> outline = pen.at(outline_of(feature, side));
+  const std::vector<cv::Point2d> points = pen.at(feature.places[side]);
+  const std::vector<cv::Point2d> outline = pen.at(outline_of(feature.mark, feature.places[side]));
   if (outline.size() > 1) {
     pen.cased(outline, look.color, look.casing, look.thickness);
-    if (!is_closed(feature)) draw_arrow(pen, outline, look);
+    if (!is_closed(feature.mark)) draw_arrow(pen, outline, look);
   }
   const bool point = std::holds_alternative<project::Point>(feature.mark);
   const bool few = !std::holds_alternative<project::Curve>(feature.mark) || look.marked;
@@ -110,13 +111,13 @@ void draw_feature(const Pen& pen, const Model& model, SideIndex side, int index)
   const auto& held = model.held ? model.held : model.hover;
   if (held && held->feature == index && held->point >= 0 && static_cast<std::size_t>(held->point) < points.size())
     ring(pen.pane, points[static_cast<std::size_t>(held->point)], 8 * pen.scale, palette::kLight, pen.px(1.6));
-  if (look.marked || model.document.project().features.size() <= kMostNumbered)
+  if (look.marked || moment.features->size() <= kMostNumbered)
     draw_number(pen, outline[outline.size() / 2], index, look);
 }
 
-void draw_mesh(const Pen& pen, const Model& model, SideIndex side) {
-  const project::Mesh& mesh = *model.document.project().mesh;
-  const std::vector<cv::Point2d> vertices = pen.at(model.document.mesh_vertices(side));
+void draw_mesh(const Pen& pen, const Model& model, const project::Moment& moment, SideIndex side) {
+  const project::MomentMesh& mesh = *moment.mesh;
+  const std::vector<cv::Point2d> vertices = pen.at(vertices_of(model, moment, side));
   const auto vertex = [&](int column, int row) {
     return vertices[static_cast<std::size_t>(row) * static_cast<std::size_t>(mesh.columns) +
                     static_cast<std::size_t>(column)];
@@ -161,10 +162,7 @@ void draw_sketch(const Pen& pen, const Sketch& sketch, int next) {
   if (sketch.shape == Sketch::Shape::kCurve) {
     std::vector<cv::Point2d> through = sketch.points;
     if (sketch.next != through.back()) through.push_back(sketch.next);
-    project::Feature curve;
-    curve.mark = project::Curve{};
-    curve.places[project::kSource] = through;
-    pen.cased(pen.at(outline_of(curve, project::kSource)), color, palette::kDark, 2);
+    pen.cased(pen.at(outline_of(project::Curve{}, through)), color, palette::kDark, 2);
     if (points.size() > 2) ring(pen.pane, points.front(), 9 * pen.scale, palette::kLight, pen.px(1.6));
   } else {
     pen.cased(points, color, palette::kDark, 2);
@@ -185,38 +183,41 @@ void draw_snapped(const Pen& pen, cv::Point2d picture) {
 void draw_marks(cv::Mat3b& pane, const Model& model, SideIndex side, double scale, const Type& type) {
   const Pen pen{pane, model.view(pane_of(side)), scale, type};
   const bool mesh = row_of(model.tool).edits == Edits::kMesh;
+  const project::Moment moment = model.moment();
+  const int count = static_cast<int>(moment.features->size());
   if (model.switches.features) {
-    if (model.document.has_mesh() && (mesh || model.document.method() == project::MethodName::kMesh))
-      draw_mesh(pen, model, side);
-    const int count = static_cast<int>(model.document.project().features.size());
+    if (moment.mesh && (mesh || std::holds_alternative<project::MeshMethod>(moment.method)))
+      draw_mesh(pen, model, moment, side);
     // Selected and hovered features lie on top.
     for (const bool marked : {false, true})
       for (int i = 0; i < count && !mesh; ++i)
-        if (look_of(model, i).marked == marked) draw_feature(pen, model, side, i);
+        if (look_of(model, i).marked == marked) draw_feature(pen, model, moment, side, i);
   }
   const std::optional<Handle>& held = model.held;
   const SideIndex active = model.sketch ? model.sketch->side : held ? held->side : side;
-  if (model.sketch && model.sketch->side == side)
-    draw_sketch(pen, *model.sketch, static_cast<int>(model.document.project().features.size()));
+  if (model.sketch && model.sketch->side == side) draw_sketch(pen, *model.sketch, count);
   if (model.snapped && active == side) draw_snapped(pen, *model.snapped);
 }
 
-void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render::LinePair>& pairs, double scale) {
+void draw_between(cv::Mat3b& pane, const Model& model, const LinesOf& lines_of, double scale) {
   const auto px = [&](double units) { return std::max(1, static_cast<int>(std::lround(units * scale))); };
   const auto worked_on = [&](int feature) {
     return (model.hover && model.hover->feature == feature) ||
            std::ranges::binary_search(model.document.selection().features, feature);
   };
+  const project::Evaluator& moments = model.document.moments();
   /// All casings lie below all colours, because neighbours touch.
-  const auto draw = [&](cv::Mat3b& picture, double t, bool all, bool cased) {
-    const std::vector<warp::FieldLine> lines = render::field_lines(pairs, t);
+  const auto draw = [&](cv::Mat3b& picture, project::Time time, bool all, bool cased) {
+    const project::Moment moment = moments.at(time);
     for (const bool casing : {true, false})
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        if ((casing && !cased) || !(all || worked_on(pairs[i].feature))) continue;
-        const cv::Point2d p = model.result_view.to_pane(lines[i].output.p, picture.size());
-        const cv::Point2d q = model.result_view.to_pane(lines[i].output.q, picture.size());
-        const cv::Vec3b color = casing ? palette::kDark : feature_color(pairs[i].feature);
-        if (lines[i].output.p == lines[i].output.q) {
+      for (const render::FeatureLine& whole : lines_of(moment)) {
+        const int feature = static_cast<int>(whole.feature);
+        if ((casing && !cased) || !(all || worked_on(feature))) continue;
+        const warp::Line line = render::between(whole, moment);
+        const cv::Point2d p = model.result_view.to_pane(line.p, picture.size());
+        const cv::Point2d q = model.result_view.to_pane(line.q, picture.size());
+        const cv::Vec3b color = casing ? palette::kDark : feature_color(feature);
+        if (line.p == line.q) {
           disc(picture, p, (casing ? 4.2 : 3) * scale, color);
         } else {
           stroke(picture, {p, q}, color, px(casing ? 3.6 : 1.6));
@@ -226,12 +227,12 @@ void draw_between(cv::Mat3b& pane, const Model& model, const std::vector<render:
   if (model.switches.onion)
     for (const double t : render::kMoments) {
       cv::Mat3b skin = pane.clone();
-      draw(skin, t, true, false);
+      draw(skin, moments.clock().at(t), true, false);
       const double strength = 0.2 + 0.6 * (1 - std::min(1.0, 2 * std::abs(t - model.t)));
       cv::addWeighted(skin, strength, pane, 1 - strength, 0, pane);
     }
   // Without the onion skin only selected and hovered features, so that the picture can be judged.
-  draw(pane, model.t, model.switches.onion, true);
+  draw(pane, model.time(), model.switches.onion, true);
 }
 
 }  // namespace morphkit::edit

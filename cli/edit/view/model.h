@@ -80,6 +80,9 @@ struct Model {
   const View& view(Pane pane) const { return this->*member_of(pane); }
   /// Size of the content of a pane, px: a picture, or the output canvas.
   cv::Size content_size(Pane pane) const;
+  /// The document at t: what the panes show.
+  project::Moment moment() const { return document.moments().at(time()); }
+  project::Time time() const { return document.moments().clock().at(t); }
   /// Fits all three.
   void fit_views();
 

@@ -5,7 +5,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "cli/edit/document/marks.h"
+#include "cli/edit/document/counterpart.h"
 #include "morph/motion/curve.h"
 
 namespace morphkit::edit {
@@ -36,30 +36,29 @@ struct Nearest {
   }
 };
 
-std::optional<Handle> vertex_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
+std::optional<Handle> vertex_at(const project::Points& vertices, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
-  const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     nearest.offer(distance(at, vertices[i]), {side, -1, -1, static_cast<int>(i)});
   return nearest.handle;
 }
 
-std::optional<Handle> point_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
+std::optional<Handle> point_at(const project::Moment& moment, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
-  const auto& features = document.project().features;
+  const std::vector<project::MomentFeature>& features = *moment.features;
   for (std::size_t f = 0; f < features.size(); ++f) {
-    const std::vector<cv::Point2d>& points = points_of(features[f], side);
+    const project::Points& points = features[f].places[side];
     for (std::size_t p = 0; p < points.size(); ++p)
       nearest.offer(distance(at, points[p]), {side, static_cast<int>(f), static_cast<int>(p), -1});
   }
   return nearest.handle;
 }
 
-std::optional<Handle> body_at(const Document& document, SideIndex side, cv::Point2d at, double reach) {
+std::optional<Handle> body_at(const project::Moment& moment, SideIndex side, cv::Point2d at, double reach) {
   Nearest nearest{reach, {}};
-  const auto& features = document.project().features;
+  const std::vector<project::MomentFeature>& features = *moment.features;
   for (std::size_t f = 0; f < features.size(); ++f) {
-    const std::vector<cv::Point2d> outline = outline_of(features[f], side);
+    const std::vector<cv::Point2d> outline = outline_of(features[f].mark, features[f].places[side]);
     for (std::size_t i = 0; i + 1 < outline.size(); ++i)
       nearest.offer(distance_to_segment(at, outline[i], outline[i + 1]), {side, static_cast<int>(f), -1, -1});
   }
@@ -78,16 +77,20 @@ cv::Point2d to_canvas(const Model& model, const Panes& panes, Pane pane, cv::Poi
   return cv::Point2d(rect.tl()) + model.view(pane).to_pane(content, rect.size());
 }
 
-std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex side) {
-  const std::vector<cv::Point2d>& points = points_of(feature, side);
-  const auto* mark = std::get_if<project::Curve>(&feature.mark);
-  if (mark == nullptr || motion::Curve::problem(mark->kind, points, mark->closed)) return points;
-  const motion::Curve curve(mark->kind, points, mark->closed);
-  const int pieces = curve.segments() * (mark->kind == motion::CurveKind::kPolyline ? 1 : kPiecesPerSegment);
+std::vector<cv::Point2d> outline_of(const project::Mark& mark, const project::Points& points) {
+  const auto* shape = std::get_if<project::Curve>(&mark);
+  if (shape == nullptr || motion::Curve::problem(shape->kind, points, shape->closed)) return points;
+  const motion::Curve curve(shape->kind, points, shape->closed);
+  const int pieces = curve.segments() * (shape->kind == motion::CurveKind::kPolyline ? 1 : kPiecesPerSegment);
   std::vector<cv::Point2d> outline;
   outline.reserve(static_cast<std::size_t>(pieces) + 1);
   for (int i = 0; i <= pieces; ++i) outline.push_back(curve.at(static_cast<double>(i) * curve.segments() / pieces));
   return outline;
+}
+
+project::Points vertices_of(const Model& model, const project::Moment& moment, SideIndex side) {
+  const project::MomentMesh& mesh = *moment.mesh;
+  return vertices_on(model.document.picture_size(side), mesh.columns, mesh.rows, mesh.vertices[side]);
 }
 
 std::optional<Handle> hit_test(const Model& model, const Panes& panes, cv::Point2d canvas) {
@@ -96,22 +99,28 @@ std::optional<Handle> hit_test(const Model& model, const Panes& panes, cv::Point
   const SideIndex side = side_of(*pane);
   const cv::Point2d at = to_content(model, panes, *pane, canvas);
   const double px = panes.scale / model.view(*pane).zoom;
-  if (row_of(model.tool).edits == Edits::kMesh) return vertex_at(model.document, side, at, kHandleReach * px);
-  const auto point = point_at(model.document, side, at, kHandleReach * px);
-  return point ? point : body_at(model.document, side, at, kBodyReach * px);
+  const project::Moment moment = model.moment();
+  if (row_of(model.tool).edits == Edits::kMesh) {
+    if (!moment.mesh) return std::nullopt;
+    return vertex_at(vertices_of(model, moment, side), side, at, kHandleReach * px);
+  }
+  const auto point = point_at(moment, side, at, kHandleReach * px);
+  return point ? point : body_at(moment, side, at, kBodyReach * px);
 }
 
-cv::Point2d position_of(const Document& document, const Handle& handle) {
-  if (handle.vertex >= 0) return document.mesh_vertices(handle.side)[static_cast<std::size_t>(handle.vertex)];
-  const project::Feature& feature = document.project().features[static_cast<std::size_t>(handle.feature)];
-  return points_of(feature, handle.side)[static_cast<std::size_t>(std::max(0, handle.point))];
+cv::Point2d position_of(const Model& model, const Handle& handle) {
+  const project::Moment moment = model.moment();
+  if (handle.vertex >= 0) return vertices_of(model, moment, handle.side)[static_cast<std::size_t>(handle.vertex)];
+  const project::MomentFeature& feature = (*moment.features)[static_cast<std::size_t>(handle.feature)];
+  return feature.places[handle.side][static_cast<std::size_t>(std::max(0, handle.point))];
 }
 
-std::optional<MeshPlace> mesh_place_at(const Document& document, SideIndex side, cv::Point2d position) {
-  if (!document.has_mesh()) return std::nullopt;
-  const int columns = document.project().mesh->columns;
-  const int rows = document.project().mesh->rows;
-  const std::vector<cv::Point2d> vertices = document.mesh_vertices(side);
+std::optional<MeshPlace> mesh_place_at(const Model& model, SideIndex side, cv::Point2d position) {
+  const project::Moment moment = model.moment();
+  if (!moment.mesh) return std::nullopt;
+  const int columns = moment.mesh->columns;
+  const int rows = moment.mesh->rows;
+  const project::Points vertices = vertices_of(model, moment, side);
   const auto vertex = [&](int column, int row) {
     const int index = row * columns + column;
     return vertices[static_cast<std::size_t>(index)];

@@ -25,15 +25,18 @@ inline Pane pane_of(SideIndex side) {
 cv::Point2d to_content(const Model& model, const Panes& panes, Pane pane, cv::Point2d canvas);
 cv::Point2d to_canvas(const Model& model, const Panes& panes, Pane pane, cv::Point2d content);
 
-/// A feature on one side as a polyline, picture px. Curves are flattened finely enough to look smooth at any zoom.
-std::vector<cv::Point2d> outline_of(const project::Feature& feature, SideIndex side);
+/// A mark on one side as a polyline, picture px. Curves are flattened finely enough to look smooth at any zoom.
+std::vector<cv::Point2d> outline_of(const project::Mark& mark, const project::Points& points);
+
+/// The vertices of the moment's mesh on one picture, px of it. @pre the moment has a mesh.
+project::Points vertices_of(const Model& model, const project::Moment& moment, SideIndex side);
 
 /// The nearest point within kHandleReach of a canvas position, else the nearest feature within kBodyReach. The mesh
 /// tool hits vertices, the other tools hit features. Hidden marks are not hit.
 std::optional<Handle> hit_test(const Model& model, const Panes& panes, cv::Point2d canvas);
 
 /// Position of the point of a handle, picture px; of a whole feature its first point.
-cv::Point2d position_of(const Document& document, const Handle& handle);
+cv::Point2d position_of(const Model& model, const Handle& handle);
 
 /// A position in a cell of the mesh.
 struct MeshPlace {
@@ -41,6 +44,6 @@ struct MeshPlace {
   double across = 0, down = 0;  ///< in [0, 1]
 };
 /// @return nothing outside of the mesh.
-std::optional<MeshPlace> mesh_place_at(const Document& document, SideIndex side, cv::Point2d position);
+std::optional<MeshPlace> mesh_place_at(const Model& model, SideIndex side, cv::Point2d position);
 
 }  // namespace morphkit::edit

@@ -92,7 +92,7 @@ bool shows(const render::Renderer& renderer, const PreviewRequest& request, Side
     case Show::kGrid:
       break;
   }
-  return renderer.shows(side, request.t);
+  return renderer.shows(side, renderer.clock().at(request.t));
 }
 
 /// Paints red where a map of a side that shows turns over. @return the share of the pixels.
@@ -101,7 +101,8 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
   const render::Renderer renderer = renderer_of(request, coarse);
   cv::Mat1b folded(coarse->size, uchar{0});
   for (SideIndex side = 0; side < coarse->sides.size(); ++side) {
-    if (shows(renderer, request, side)) folded |= warp::jacobian_determinant(renderer.map(request.t, side)) <= 0;
+    if (shows(renderer, request, side))
+      folded |= warp::jacobian_determinant(renderer.map(renderer.clock().at(request.t), side)) <= 0;
   }
   const int count = cv::countNonZero(folded);
   if (count > 0) {
@@ -116,7 +117,8 @@ double paint_folds(const PreviewRequest& request, const render::Stage& stage, cv
 
 cv::Mat3b shown(const PreviewRequest& request, const std::shared_ptr<const render::Stage>& stage) {
   const render::Renderer renderer = renderer_of(request, stage);
-  const auto side = [&](SideIndex which) { return to_screen(renderer.side(request.t, which)); };
+  const project::Time time = renderer.clock().at(request.t);
+  const auto side = [&](SideIndex which) { return to_screen(renderer.side(time, which)); };
   if (request.show == Show::kSource) return side(project::kSource);
   if (request.show == Show::kDestination) return side(project::kDestination);
   if (request.show == Show::kDifference) {
@@ -124,11 +126,11 @@ cv::Mat3b shown(const PreviewRequest& request, const std::shared_ptr<const rende
     cv::absdiff(side(project::kSource), side(project::kDestination), difference);
     return difference;
   }
-  cv::Mat3b screen = to_screen(renderer.frame(request.t));
+  cv::Mat3b screen = to_screen(renderer.frame(time));
   if (request.show == Show::kGrid) {
     screen *= 0.6;
     const cv::Size size = renderer.picture_size(project::kSource);
-    draw_grid(renderer.map(request.t, project::kSource), std::max(size.width, size.height) / kGridCells, screen);
+    draw_grid(renderer.map(time, project::kSource), std::max(size.width, size.height) / kGridCells, screen);
   }
   return screen;
 }

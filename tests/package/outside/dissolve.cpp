@@ -19,7 +19,7 @@ int main() {
   pictures.destination.image = warp::Image(16, 16, warp::Pixel(1, 0.5f, 0.25f, 1));
   const render::Renderer renderer(project, pictures);
 
-  const warp::Pixel middle = renderer.frame(0.5)(8, 8), expected(0.5f, 0.25f, 0.125f, 1);
+  const warp::Pixel middle = renderer.frame(renderer.clock().at(0.5))(8, 8), expected(0.5f, 0.25f, 0.125f, 1);
   if (cv::norm(middle - expected) < 1e-5) return 0;
   std::printf("the middle is (%g, %g, %g, %g)\n", middle[0], middle[1], middle[2], middle[3]);
   return 1;

@@ -7,6 +7,7 @@
 namespace morphkit::render {
 namespace {
 
+using test::frame_at;
 using test::pictures;
 using test::random_image;
 using test::same_bits;
@@ -30,29 +31,29 @@ TEST(Compose, ASideAloneIsTheFrameWithoutTheOther) {
     // The source shows alone until the middle, while the shape moves.
     project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
     const Renderer renderer(project, pictures(random_image(kSize, 1), random_image(kSize, 2)));
-    EXPECT_TRUE(same_bits(renderer.side(0.4, kSource), renderer.frame(0.4)));
-    EXPECT_FALSE(same_bits(renderer.side(0.4, kDestination), renderer.frame(0.4)));
-    EXPECT_TRUE(same_bits(renderer.side(1, kDestination), renderer.frame(1)));
+    EXPECT_TRUE(same_bits(renderer.side(renderer.clock().at(0.4), kSource), frame_at(renderer, 0.4)));
+    EXPECT_FALSE(same_bits(renderer.side(renderer.clock().at(0.4), kDestination), frame_at(renderer, 0.4)));
+    EXPECT_TRUE(same_bits(renderer.side(renderer.clock().at(1), kDestination), frame_at(renderer, 1)));
   }
 }
 
 TEST(Compose, AFrameIsTheMixOfItsSides) {
   for (const project::Project& project : {small_project(), mesh_project()}) {
     const Renderer renderer(project, pictures(random_image(kSize, 3), random_image(kSize, 4)));
-    const warp::Image mixed = test::dissolved(renderer.side(0.25, kSource), renderer.side(0.25, kDestination), 0.25F);
-    EXPECT_LE(cv::norm(mixed, renderer.frame(0.25), cv::NORM_INF), 1e-6);
+    const warp::Image mixed = test::dissolved(renderer.side(renderer.clock().at(0.25), kSource),
+                                              renderer.side(renderer.clock().at(0.25), kDestination), 0.25F);
+    EXPECT_LE(cv::norm(mixed, frame_at(renderer, 0.25), cv::NORM_INF), 1e-6);
   }
 }
 
 TEST(Compose, AMapHasThePositionsOfItsBands) {
   for (const project::Project& project : {small_project(), mesh_project()}) {
     const Renderer renderer(project, pictures(random_image(kSize, 5), random_image(kSize, 6)));
-    const auto plan = make_plan(renderer.project(), renderer.stage(), false);
-    const auto warper = plan->at(0.5);
+    const auto warper = renderer.warper(renderer.clock().at(0.5));
     std::vector<warp::Map> maps{warp::Map(kSize), warp::Map(kSize)};
-    warper->positions(0, maps, Pixels::kFile, nullptr);
+    warper->positions(0, maps, Pixels::kFile, {});
     for (const SideIndex side : {kSource, kDestination})
-      EXPECT_LE(cv::norm(maps[side], renderer.map(0.5, side), cv::NORM_INF), 1e-4);
+      EXPECT_LE(cv::norm(maps[side], renderer.map(renderer.clock().at(0.5), side), cv::NORM_INF), 1e-4);
   }
 }
 

@@ -15,11 +15,10 @@ const cv::Size kSize(96, 64);
 
 TEST(LineWarper, BandsAreRowsOfTheWholeMap) {
   const Renderer renderer(small_project(), pictures(random_image(kSize, 1), random_image({80, 70}, 2)));
-  const auto plan = make_plan(renderer.project(), renderer.stage(), false);
-  const auto warper = plan->at(0.4);
+  const auto warper = renderer.warper(renderer.clock().at(0.4));
   for (const Pixels pixels : {Pixels::kHeld, Pixels::kFile}) {
     std::vector<warp::Map> maps{warp::Map(20, kSize.width), warp::Map(20, kSize.width)};
-    warper->positions(32, maps, pixels, nullptr);
+    warper->positions(32, maps, pixels, {});
     for (const SideIndex side : {kSource, kDestination}) {
       const warp::Map whole = warper->map(side, pixels);
       EXPECT_EQ(cv::norm(maps[side], whole.rowRange(32, 52), cv::NORM_INF), 0);
@@ -33,7 +32,8 @@ TEST(LineWarper, HeldPixelsAreThoseOfThePictureInMemory) {
   const cv::Size large(kSize.width * 2, kSize.height * 2);
   const Renderer renderer(project, pictures(random_image(large, 3), random_image(kSize, 4)));
   ASSERT_EQ(renderer.stage().sides[kSource].image.size(), kSize);
-  const warp::Map held = renderer.map(0.5, kSource, Pixels::kHeld), file = renderer.map(0.5, kSource);
+  const warp::Map held = renderer.map(renderer.clock().at(0.5), kSource, Pixels::kHeld),
+                  file = renderer.map(renderer.clock().at(0.5), kSource);
   EXPECT_LE(cv::norm(warp::Map(held * 2), file, cv::NORM_INF), 1e-3);
 }
 
@@ -41,12 +41,12 @@ TEST(LineWarper, TheDissolveIsThatOfTheNearestFeatures) {
   project::Project project = small_project();
   project.features[0].pace.dissolve = motion::Timing{motion::LinearEase{}, 0, 0.5};
   const Renderer renderer(project, pictures(random_image(kSize, 5), random_image(kSize, 6)));
-  const auto warper = make_plan(renderer.project(), renderer.stage(), false)->at(0.5);
-  EXPECT_EQ(warper->dissolve().least, 0.5);
-  EXPECT_EQ(warper->dissolve().most, 1);
+  const auto warper = renderer.warper(renderer.clock().at(0.5));
+  EXPECT_EQ(warper->weights()[kDestination].least, 0.5);
+  EXPECT_EQ(warper->weights()[kDestination].most, 1);
   std::vector<warp::Map> maps{warp::Map(kSize), warp::Map(kSize)};
   cv::Mat1f dissolve(kSize);
-  warper->positions(0, maps, Pixels::kHeld, &dissolve);
+  warper->positions(0, maps, Pixels::kHeld, {&dissolve, 1});
   double least = 0, most = 0;
   cv::minMaxLoc(dissolve, &least, &most);
   EXPECT_GE(least, 0.5);

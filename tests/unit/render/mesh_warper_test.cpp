@@ -21,6 +21,7 @@ namespace {
 using test::contains;
 using test::dissolved;
 using test::error_of;
+using test::frame_at;
 using test::pictures;
 using test::random_image;
 using test::same_bits;
@@ -58,8 +59,8 @@ TEST(MeshWarper, EndsAreThePicturesBitForBit) {
         project.warp.mesh.order = order;
         project.warp.mesh.spline = spline;
         const Renderer renderer(project, pictures(a, b, with_alpha));
-        EXPECT_TRUE(same_bits(renderer.frame(0), a));
-        EXPECT_TRUE(same_bits(renderer.frame(1), b));
+        EXPECT_TRUE(same_bits(frame_at(renderer, 0), a));
+        EXPECT_TRUE(same_bits(frame_at(renderer, 1), b));
       }
 }
 
@@ -79,7 +80,7 @@ TEST(MeshWarper, EqualMeshesGiveTheDissolveExactly) {
   project.mesh->vertices[project::kDestination] = project.mesh->vertices[project::kSource];
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.5, 0.9}) {
-    EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
+    EXPECT_TRUE(same_bits(frame_at(renderer, t), dissolved(a, b, static_cast<float>(t))));
   }
 }
 
@@ -89,9 +90,9 @@ TEST(MeshWarper, UniformMeshesNeedNoVertices) {
   uniform.mesh->vertices[project::kSource].clear();
   uniform.mesh->vertices[project::kDestination].clear();
   uniform.output.fit = plain.output.fit = project::Fit::kStretch;
-  const warp::Image frame = Renderer(uniform, pictures(a, a)).frame(0.5);
-  EXPECT_TRUE(same_bits(frame, Renderer(plain, pictures(a, a)).frame(0.5)));
-  EXPECT_EQ(Renderer(uniform, pictures(a, b)).frame(0.3).size(), kSize);
+  const warp::Image frame = frame_at(Renderer(uniform, pictures(a, a)), 0.5);
+  EXPECT_TRUE(same_bits(frame, frame_at(Renderer(plain, pictures(a, a)), 0.5)));
+  EXPECT_EQ(frame_at(Renderer(uniform, pictures(a, b)), 0.3).size(), kSize);
 }
 
 TEST(MeshWarper, SameBytesForAnyNumberOfThreads) {
@@ -101,10 +102,10 @@ TEST(MeshWarper, SameBytesForAnyNumberOfThreads) {
   project.mesh->groups.push_back({"early", {{2, 2}, {3, 2}}});
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
   set_threads(1);
-  const warp::Image one = renderer.frame(0.4);
+  const warp::Image one = frame_at(renderer, 0.4);
   for (const int threads : {2, 5}) {
     set_threads(threads);
-    EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
+    EXPECT_TRUE(same_bits(frame_at(renderer, 0.4), one)) << threads << " threads";
   }
   set_threads(0);
 }
@@ -112,7 +113,8 @@ TEST(MeshWarper, SameBytesForAnyNumberOfThreads) {
 TEST(MeshWarper, AMapLooksWhereThePicturesComeFrom) {
   const project::Project project = mesh_project(kSize, {48, 32});
   const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
-  const warp::Map source = renderer.map(0, kSource), destination = renderer.map(1, kDestination);
+  const warp::Map source = renderer.map(renderer.clock().at(0), kSource),
+                  destination = renderer.map(renderer.clock().at(1), kDestination);
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
       ASSERT_EQ(source(y, x), warp::MapPoint(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
@@ -128,8 +130,12 @@ TEST(MeshWarper, VerticesMoveInTheTimeOfTheirGroup) {
   project.mesh->groups.push_back({"late", {{2, 2}}});
   const Pictures both = pictures(random_image(kSize, 13), random_image(kSize, 14));
   const Stage stage = make_stage(project, both);
-  const MeshPair pair = mesh_pair(project, stage);
-  const warp::Mesh early = between(pair, 0.5), late = between(pair, 0.75);
+  const project::Evaluator moments(project);
+  const auto between_at = [&](double t) {
+    const project::Moment moment = moments.at(moments.clock().at(t));
+    return between(mesh_sides(*moment.mesh, stage, project.file), moment);
+  };
+  const warp::Mesh early = between_at(0.5), late = between_at(0.75);
   const auto at = [&](const std::vector<cv::Point2d>& side, int column, int row) {
     return side[early.index(column, row)];
   };
@@ -158,7 +164,7 @@ TEST(MeshWarper, LocalDissolveFollowsTheVertices) {
     for (int column = 0; column < kColumns; ++column) (column <= 2 ? early : late).vertices.emplace_back(column, row);
   project.mesh->groups = {early, late};
   const warp::Image black(kSize, warp::Pixel(0, 0, 0, 1)), white(kSize, warp::Pixel(1, 1, 1, 1));
-  const warp::Image frame = Renderer(project, pictures(black, white)).frame(0.5);
+  const warp::Image frame = frame_at(Renderer(project, pictures(black, white)), 0.5);
   EXPECT_EQ(frame(30, 2)[0], 1.0F);
   EXPECT_EQ(frame(30, 93)[0], 0.0F);
   const double cell = kSize.width / (kColumns - 1.0);
@@ -170,15 +176,15 @@ TEST(MeshWarper, WhiteStaysWhiteWhereItCoversAndClearWhereItDoesNot) {
   project::Project project = mesh_project({100, 50}, {50, 100});
   project.output.size = cv::Size(61, 47);
   for (const double t : {0.0, 0.3, 0.5, 1.0}) {
-    const warp::Image frame = Renderer(project, pictures(wide, tall)).frame(t);
+    const warp::Image frame = frame_at(Renderer(project, pictures(wide, tall)), t);
     for (const warp::Pixel& pixel : frame)
       for (int c = 0; c < 4; ++c) ASSERT_NEAR(pixel[c], 1.0F, 1e-5F) << "t = " << t;
   }
   project.output.fit = project::Fit::kContain;
   const Renderer contained(project, pictures(wide, tall));
   EXPECT_TRUE(contained.has_alpha());
-  EXPECT_EQ(contained.frame(0)(0, 30)[3], 0.0F);
-  EXPECT_NEAR(contained.frame(0)(23, 30)[3], 1.0F, 1e-5F);
+  EXPECT_EQ(frame_at(contained, 0)(0, 30)[3], 0.0F);
+  EXPECT_NEAR(frame_at(contained, 0)(23, 30)[3], 1.0F, 1e-5F);
 }
 
 TEST(MeshWarper, ABorderVertexOffTheBorderIsNamed) {
@@ -201,7 +207,7 @@ TEST(MeshWarper, AFoldIsNamedUnlessItIsAllowed) {
       << error.what();
   const Renderer renderer(project, both, {.allow_folds = true});
   for (const double t : {0.0, 0.5, 1.0})
-    for (const warp::Pixel& pixel : renderer.frame(t))
+    for (const warp::Pixel& pixel : frame_at(renderer, t))
       for (int c = 0; c < 4; ++c) ASSERT_TRUE(std::isfinite(pixel[c]));
 }
 
@@ -261,11 +267,11 @@ TEST(MeshWarper, AMomentIsJudgedByThePicturesThatShow) {
   project.mesh->vertices[project::kSource] = turned(size, 13, 13, -0.9);
   project.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.4, 0.2};
   const Renderer renderer(project, pictures(random_image(size, 23), random_image(size, 24)));
-  EXPECT_NO_THROW(renderer.require(0));
-  EXPECT_NO_THROW(renderer.require(1));
+  EXPECT_NO_THROW(renderer.require(renderer.clock().at(0)));
+  EXPECT_NO_THROW(renderer.require(renderer.clock().at(1)));
   project.pace.dissolve = motion::Timing{motion::StepEase{}, 0.99, 0.01};
   const Renderer late(project, pictures(random_image(size, 23), random_image(size, 24)));
-  EXPECT_THROW(late.require(0.98), Error);
+  EXPECT_THROW(late.require(late.clock().at(0.98)), Error);
 }
 
 TEST(MeshWarper, CheckNamesFoldedVertices) {

@@ -41,5 +41,19 @@ TEST(Placement, KeepsCentresTogetherAndRoundTrips) {
   }
 }
 
+TEST(Mean, IsExactWhereItMustBe) {
+  const cv::Point2d places[] = {{0.1, 0.7}, {33.3, 12.9}, {-7.1, 1e6}};
+  const auto place_of = [&](std::size_t side) { return places[side]; };
+  for (std::size_t side = 0; side < 3; ++side) {
+    std::vector<double> weights(3, 0);
+    weights[side] = 1;
+    EXPECT_EQ(mean(weights, place_of), places[side]);
+  }
+  const std::vector<double> thirds{0.3, 0.3, 0.4};
+  EXPECT_EQ(mean(thirds, [&](std::size_t) { return places[1]; }), places[1]);
+  EXPECT_NEAR(mean(thirds, place_of).x, 0.03 + 9.99 - 2.84, 1e-12);
+  EXPECT_EQ(mean(std::vector<double>{0.75, 0.25}, place_of), lerp(places[0], places[1], 0.25));
+}
+
 }  // namespace
 }  // namespace morphkit::render

@@ -12,6 +12,7 @@ namespace morphkit::render {
 namespace {
 
 using test::dissolved;
+using test::frame_at;
 using test::line;
 using test::pictures;
 using test::random_image;
@@ -30,8 +31,8 @@ TEST(Renderer, EndsAreThePicturesBitForBit) {
         project.pull.between = between;
         project.warp.filter = filter;
         const Renderer renderer(project, pictures(a, b, with_alpha));
-        EXPECT_TRUE(same_bits(renderer.frame(0), a));
-        EXPECT_TRUE(same_bits(renderer.frame(1), b));
+        EXPECT_TRUE(same_bits(frame_at(renderer, 0), a));
+        EXPECT_TRUE(same_bits(frame_at(renderer, 1), b));
       }
 }
 
@@ -41,8 +42,8 @@ TEST(Renderer, EndsAreExactWithFeaturesThatHaveTheirOwnTimes) {
   project.features[0].pace.dissolve = motion::Timing{motion::SineEase{}, 0.1, 0.4};
   project.features[2].pace.shape = motion::Timing{motion::ParabolicEase{}, 0.5, 0.5};
   const Renderer renderer(project, pictures(a, b));
-  EXPECT_TRUE(same_bits(renderer.frame(0), a));
-  EXPECT_TRUE(same_bits(renderer.frame(1), b));
+  EXPECT_TRUE(same_bits(frame_at(renderer, 0), a));
+  EXPECT_TRUE(same_bits(frame_at(renderer, 1), b));
 }
 
 TEST(Renderer, IdentityFeaturesGiveTheDissolveExactly) {
@@ -52,14 +53,14 @@ TEST(Renderer, IdentityFeaturesGiveTheDissolveExactly) {
     feature.places[project::kDestination] = feature.places[project::kSource];
   const Renderer renderer(project, pictures(a, b));
   for (const double t : {0.125, 0.3, 0.5, 0.9}) {
-    EXPECT_TRUE(same_bits(renderer.frame(t), dissolved(a, b, static_cast<float>(t))));
+    EXPECT_TRUE(same_bits(frame_at(renderer, t), dissolved(a, b, static_cast<float>(t))));
   }
 }
 
 TEST(Renderer, WithoutFeaturesDissolves) {
   project::Project project;
   const warp::Image a(kSize, warp::Pixel(1, 0, 0, 1)), b(kSize, warp::Pixel(0, 0, 1, 1));
-  const warp::Image middle = Renderer(project, pictures(a, b)).frame(0.5);
+  const warp::Image middle = frame_at(Renderer(project, pictures(a, b)), 0.5);
   EXPECT_EQ(middle(10, 10), warp::Pixel(0.5f, 0, 0.5f, 1));
 }
 
@@ -70,7 +71,7 @@ TEST(Renderer, ADoubledPictureIsTheSameMorphBackwards) {
     std::swap(feature.places[project::kSource], feature.places[project::kDestination]);
   const warp::Image a = random_image(kSize, 7), b = random_image(kSize, 8);
   const Renderer forth(project, pictures(a, b)), back(swapped, pictures(b, a));
-  const warp::Map x = forth.map(0.25, kSource), y = back.map(0.75, kDestination);
+  const warp::Map x = forth.map(forth.clock().at(0.25), kSource), y = back.map(back.clock().at(0.75), kDestination);
   EXPECT_LE(cv::norm(x, y, cv::NORM_INF), 1e-3);
 }
 
@@ -80,10 +81,10 @@ TEST(Renderer, SameBytesForAnyNumberOfThreads) {
   project.output.size = cv::Size(203, 151);
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
   set_threads(1);
-  const warp::Image one = renderer.frame(0.4);
+  const warp::Image one = frame_at(renderer, 0.4);
   for (const int threads : {2, 5}) {
     set_threads(threads);
-    EXPECT_TRUE(same_bits(renderer.frame(0.4), one)) << threads << " threads";
+    EXPECT_TRUE(same_bits(frame_at(renderer, 0.4), one)) << threads << " threads";
   }
   set_threads(0);
 }
@@ -101,10 +102,10 @@ TEST(Renderer, MapIsInPixelsOfThePictureFileWhateverItsSize) {
   project::Project project;
   project.output.size = cv::Size(48, 32);
   const Renderer renderer(project, pictures(random_image(kSize, 11), random_image({48, 32}, 12)));
-  const warp::Map source = renderer.map(0.5, kSource);
+  const warp::Map source = renderer.map(renderer.clock().at(0.5), kSource);
   EXPECT_EQ(source(0, 0), warp::MapPoint(1, 1));
   EXPECT_EQ(source(31, 47), warp::MapPoint(95, 63));
-  EXPECT_EQ(renderer.map(0.5, kDestination)(31, 47), warp::MapPoint(47.5f, 31.5f));
+  EXPECT_EQ(renderer.map(renderer.clock().at(0.5), kDestination)(31, 47), warp::MapPoint(47.5f, 31.5f));
 }
 
 TEST(Renderer, LargePicturesAreAveragedNotSkipped) {
@@ -115,7 +116,7 @@ TEST(Renderer, LargePicturesAreAveragedNotSkipped) {
       checks(y, x) = (x + y) % 2 == 0 ? warp::Pixel(1, 1, 1, 1) : warp::Pixel(0, 0, 0, 1);
   project::Project project;
   project.output.size = kSize;
-  const warp::Image frame = Renderer(project, pictures(checks, checks)).frame(0);
+  const warp::Image frame = frame_at(Renderer(project, pictures(checks, checks)), 0);
   for (const warp::Pixel& pixel : frame) ASSERT_NEAR(pixel[0], 0.5, 1e-5);
 }
 
@@ -130,7 +131,7 @@ TEST(Renderer, LargeBackgroundsAreAveragedNotSkipped) {
   both.background->image = fence;
   project::Project project;
   project.output.background = "fence.png";
-  const warp::Image frame = Renderer(project, both).frame(0.5);
+  const warp::Image frame = frame_at(Renderer(project, both), 0.5);
   for (const warp::Pixel& pixel : frame) ASSERT_NEAR(pixel[0], 0.5, 0.25);
 }
 
@@ -142,7 +143,7 @@ TEST(Renderer, LocalDissolveFollowsTheNearestFeature) {
   project.features[0].pace.dissolve = motion::Timing{motion::StepEase{0.1}, 0, 1};
   project.features[1].pace.dissolve = motion::Timing{motion::StepEase{0.9}, 0, 1};
   const warp::Image a(kSize, warp::Pixel(0, 0, 0, 1)), b(kSize, warp::Pixel(1, 1, 1, 1));
-  const warp::Image frame = Renderer(project, pictures(a, b)).frame(0.5);
+  const warp::Image frame = frame_at(Renderer(project, pictures(a, b)), 0.5);
   EXPECT_GT(frame(32, 8)[0], 0.99f);
   EXPECT_LT(frame(32, 87)[0], 0.01f);
   for (int x = 9; x < 88; ++x) EXPECT_LE(frame(32, x)[0], frame(32, x - 1)[0]);
@@ -155,12 +156,12 @@ TEST(Renderer, LettersboxesAreTransparentOrBackground) {
   const warp::Image white(kSize, warp::Pixel(1, 1, 1, 1));
   const Renderer clear(project, pictures(white, white));
   EXPECT_TRUE(clear.has_alpha());
-  EXPECT_EQ(clear.frame(0.5)(2, 50), warp::Pixel(0, 0, 0, 0));
-  EXPECT_EQ(clear.frame(0.5)(48, 50), warp::Pixel(1, 1, 1, 1));
+  EXPECT_EQ(frame_at(clear, 0.5)(2, 50), warp::Pixel(0, 0, 0, 0));
+  EXPECT_EQ(frame_at(clear, 0.5)(48, 50), warp::Pixel(1, 1, 1, 1));
   project.output.background = project::Color{1, 0, 0, 1};
   const Renderer red(project, pictures(white, white));
   EXPECT_FALSE(red.has_alpha());
-  EXPECT_EQ(red.frame(0.5)(2, 50), warp::Pixel(1, 0, 0, 1));
+  EXPECT_EQ(frame_at(red, 0.5)(2, 50), warp::Pixel(1, 0, 0, 1));
 }
 
 TEST(Renderer, TimeRunsFromTheFirstFrameToTheLast) {
@@ -169,11 +170,11 @@ TEST(Renderer, TimeRunsFromTheFirstFrameToTheLast) {
   project.output.start = 101;
   const warp::Image white(kSize, warp::Pixel(1, 1, 1, 1));
   const Renderer renderer(project, pictures(white, white));
-  EXPECT_EQ(renderer.time_of(101), 0);
-  EXPECT_EQ(renderer.time_of(103), 0.5);
-  EXPECT_EQ(renderer.time_of(105), 1);
+  EXPECT_EQ(renderer.time_of(101).t, 0);
+  EXPECT_EQ(renderer.time_of(103).t, 0.5);
+  EXPECT_EQ(renderer.time_of(105).t, 1);
   project.output.frames = 1;
-  EXPECT_EQ(Renderer(project, pictures(white, white)).time_of(101), 0);
+  EXPECT_EQ(Renderer(project, pictures(white, white)).time_of(101).t, 0);
 }
 
 }  // namespace

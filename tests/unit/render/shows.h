@@ -17,10 +17,11 @@ inline int expect_shows_what_counts(const project::Project& project, cv::Size si
   int hidden = 0;
   for (const double t : {0.0, 0.1, 0.15, 0.3, 0.45, 0.65, 0.8, 0.9, 1.0}) {
     SCOPED_TRACE(t);
-    const warp::Image frame = renderer.frame(t);
-    const bool source = renderer.shows(kSource, t), destination = renderer.shows(kDestination, t);
-    EXPECT_EQ(source, !test::same_bits(frame, other_source.frame(t)));
-    EXPECT_EQ(destination, !test::same_bits(frame, other_destination.frame(t)));
+    const warp::Image frame = test::frame_at(renderer, t);
+    const project::Time time = renderer.clock().at(t);
+    const bool source = renderer.shows(kSource, time), destination = renderer.shows(kDestination, time);
+    EXPECT_EQ(source, !test::same_bits(frame, test::frame_at(other_source, t)));
+    EXPECT_EQ(destination, !test::same_bits(frame, test::frame_at(other_destination, t)));
     hidden += !source + !destination;
   }
   return hidden;

@@ -68,7 +68,7 @@ class Storm : public Hand {
     if (chance(3) && !features().empty()) {
       const int feature = integer(0, static_cast<int>(features().size()) - 1);
       const SideIndex side = chance(2) ? project::kSource : project::kDestination;
-      return at(side, position_of(document(), {side, feature, 0, -1})) + cv::Point(integer(-9, 9), integer(-9, 9));
+      return at(side, position_of(model, {side, feature, 0, -1})) + cv::Point(integer(-9, 9), integer(-9, 9));
     }
     return {integer(-20, kWindow.width + 20), integer(-20, kWindow.height + 20)};
   }

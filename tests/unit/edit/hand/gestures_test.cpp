@@ -304,20 +304,20 @@ TEST_F(GestureSession, CurvesEndOpenOrClosed) {
   key(kKeyEnter);
   ASSERT_EQ(features().size(), 1U);
   EXPECT_EQ(features()[0].places[project::kSource], places);
-  EXPECT_FALSE(is_closed(features()[0]));
+  EXPECT_FALSE(is_closed(features()[0].mark));
   key('x');
 
   click_all();
   mouse(What::kDoubleClick, at(project::kSource, places.back()));
   ASSERT_EQ(features().size(), 1U);
   EXPECT_EQ(features()[0].places[project::kSource], places);
-  EXPECT_FALSE(is_closed(features()[0]));
+  EXPECT_FALSE(is_closed(features()[0].mark));
   key('x');
 
   click_all();
   click(project::kSource, places.front());
   ASSERT_EQ(features().size(), 1U);
-  EXPECT_TRUE(is_closed(features()[0]));
+  EXPECT_TRUE(is_closed(features()[0].mark));
   EXPECT_FALSE(model.sketch);
 }
 

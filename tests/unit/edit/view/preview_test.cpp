@@ -71,7 +71,8 @@ TEST_F(PreviewTest, AllOfTheCanvasAtItsSizeIsTheFrame) {
   for (const auto fit : {project::Fit::kCover, project::Fit::kContain, project::Fit::kNone}) {
     project_.output.fit = fit;
     for (const double t : {0.0, 0.4, 1.0})
-      EXPECT_LE(greatest_difference(rendered(whole(t)).image, to_screen(renderer().frame(t))), 1) << "t " << t;
+      EXPECT_LE(greatest_difference(rendered(whole(t)).image, to_screen(test::frame_at(renderer(), t))), 1)
+          << "t " << t;
   }
 }
 
@@ -79,7 +80,7 @@ TEST_F(PreviewTest, ABackgroundColourLiesUnderTheFrame) {
   use(test::random_image(kSize, 3), test::random_image({30, 64}, 4));
   project_.output.fit = project::Fit::kNone;
   project_.output.background = project::Color{0.9, 0.2, 0.4, 0.8};
-  EXPECT_LE(greatest_difference(rendered(whole(0.7)).image, to_screen(renderer().frame(0.7))), 1);
+  EXPECT_LE(greatest_difference(rendered(whole(0.7)).image, to_screen(test::frame_at(renderer(), 0.7))), 1);
 }
 
 TEST_F(PreviewTest, AMeshIsRenderedToo) {
@@ -92,7 +93,7 @@ TEST_F(PreviewTest, AMeshIsRenderedToo) {
       project_.mesh->vertices[project::kDestination].emplace_back(x * 32 + (x == 1 ? 6 : 0),
                                                                   y * 32 - (y == 1 && x % 3 != 0 ? 5 : 0));
     }
-  EXPECT_LE(greatest_difference(rendered(whole(0.5)).image, to_screen(renderer().frame(0.5))), 1);
+  EXPECT_LE(greatest_difference(rendered(whole(0.5)).image, to_screen(test::frame_at(renderer(), 0.5))), 1);
 }
 
 TEST_F(PreviewTest, ABackgroundPictureLiesUnderTheFrame) {
@@ -105,7 +106,7 @@ TEST_F(PreviewTest, ABackgroundPictureLiesUnderTheFrame) {
   const PreviewRequest request = whole(0.7);
   const PreviewPicture picture = PreviewRenderer(*source_, *destination_, &background).render(request);
   EXPECT_EQ(picture.problem, "");
-  EXPECT_LE(greatest_difference(picture.image, to_screen(renderer().frame(0.7))), 1);
+  EXPECT_LE(greatest_difference(picture.image, to_screen(test::frame_at(renderer(), 0.7))), 1);
 }
 
 TEST_F(PreviewTest, ASideUnderAMeshIsDrawnInTwoPassesAsInTheFrame) {
@@ -115,7 +116,8 @@ TEST_F(PreviewTest, ASideUnderAMeshIsDrawnInTwoPassesAsInTheFrame) {
   project_.mesh->vertices[project::kDestination] = {{0, 0}, {96, 0}, {0, 64}, {96, 64}};
   project_.warp.filter = warp::Filter::kNearest;
   project_.pace.dissolve = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
-  EXPECT_EQ(greatest_difference(rendered(whole(0.4, Show::kSource)).image, to_screen(renderer().frame(0.4))), 0);
+  EXPECT_EQ(greatest_difference(rendered(whole(0.4, Show::kSource)).image, to_screen(test::frame_at(renderer(), 0.4))),
+            0);
 }
 
 TEST_F(PreviewTest, APartOfTheCanvasIsThatPartOfTheFrame) {
@@ -123,7 +125,7 @@ TEST_F(PreviewTest, APartOfTheCanvasIsThatPartOfTheFrame) {
   PreviewRequest request = whole(0.5);
   request.size = {40, 30};
   request.view.centre = {50, 35};  // shows 30..70, 20..50
-  const cv::Mat3b frame = to_screen(renderer().frame(0.5));
+  const cv::Mat3b frame = to_screen(test::frame_at(renderer(), 0.5));
   EXPECT_LE(greatest_difference(rendered(request).image, frame(cv::Rect(30, 20, 40, 30))), 1);
 }
 
@@ -138,7 +140,7 @@ TEST_F(PreviewTest, ASmallerOrLargerViewShowsTheSameWarp) {
   for (project::Feature& feature : project_.features)
     for (auto* points : {&feature.places[project::kSource], &feature.places[project::kDestination]})
       for (cv::Point2d& point : *points) point *= 4;
-  const warp::Image frame = renderer().frame(0.5);
+  const warp::Image frame = test::frame_at(renderer(), 0.5);
   for (const double zoom : {0.5, 0.25, 2.0}) {
     PreviewRequest request = whole(0.5);
     request.view.zoom = zoom;
