@@ -90,8 +90,6 @@ void set_mode(int descriptor, mode_t mode) {
   if (::fchmod(descriptor, mode) != 0) errno = 0;
 }
 
-constexpr const char* kAlreadyExists = "already exists; use --overwrite to replace it";
-
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite)
@@ -107,7 +105,7 @@ AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite)
   const fs::file_status status = fs::status(final_, error);
   if (fs::is_directory(status)) fail(shown_, "is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(shown_, "is not a regular file");
-  if (fs::exists(status) && !overwrite_) fail(shown_, kAlreadyExists);
+  if (fs::exists(status) && !overwrite_) throw FileExists(shown_);
   reserve();
 }
 
@@ -158,7 +156,7 @@ void AtomicFile::commit() {
   const int result =
       overwrite_ ? std::rename(temporary_.c_str(), final_.c_str()) : rename_new(temporary_.c_str(), final_.c_str());
   if (result != 0) {
-    if (errno == EEXIST) fail(shown_, kAlreadyExists);
+    if (errno == EEXIST) throw FileExists(shown_);
     fail_errno(shown_, "cannot be put in place", errno);
   }
   committed_ = true;

@@ -6,10 +6,19 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <sys/types.h>
 
+#include "base/error.h"
+
 namespace morphkit {
+
+/// A file is there already, and nobody has asked to replace it.
+class FileExists : public Error {
+ public:
+  explicit FileExists(std::string place) : Error(ErrorCode::kIo, std::move(place), "already exists") {}
+};
 
 /// Reserves a temporary file beside `final_name`; `commit` renames it there. Until then nothing appears under the final
 /// name. If the object is destroyed first, nothing ever does.
@@ -21,8 +30,8 @@ class AtomicFile {
  public:
   /// Creates the (empty) temporary file. A symbolic link is followed: its target is replaced, not the link. A replaced
   /// file keeps its permissions.
-  /// @throws Error kIo if the folder is missing or cannot be written, if `final_name` is a folder or a device, or if it
-  ///         exists and `overwrite` is false.
+  /// @throws Error kIo if the folder is missing or cannot be written, or if `final_name` is a folder or a device;
+  ///         FileExists if it exists and `overwrite` is false.
   AtomicFile(const std::filesystem::path& final_name, bool overwrite);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
@@ -29,6 +30,7 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/terminal.h"
+#include "morph/render/fold_error.h"
 
 namespace morphkit::cli {
 namespace {
@@ -93,7 +95,7 @@ void hold_standard_streams() {
   }
 }
 
-/// The one place where exceptions become messages and exit codes.
+/// The one place where exceptions become messages, with the options that help, and exit codes.
 int guarded(Output& output, const std::function<int()>& work) {
   const auto fail = [&output](ErrorCode code, std::string_view message) {
     output.error(message);
@@ -101,6 +103,10 @@ int guarded(Output& output, const std::function<int()>& work) {
   };
   try {
     return work();
+  } catch (const FileExists& error) {
+    return fail(error.code(), fmt::format("{}; use --overwrite to replace it", error.what()));
+  } catch (const render::FoldError& error) {
+    return fail(error.code(), fmt::format("{}, or render what can be rendered with --allow-folds", error.what()));
   } catch (const Error& error) {
     return fail(error.code(), error.what());
   } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
@@ -93,8 +94,7 @@ void require_free(const WarpOptions& options) {
   if (!options.intermediate.empty() && real(options.intermediate) == real(options.output))
     throw Error(ErrorCode::kUsage, "--intermediate", "names the same file as --output");
   for (const std::filesystem::path& file : {options.output, options.intermediate})
-    if (!options.overwrite && !file.empty() && std::filesystem::exists(file))
-      throw Error(ErrorCode::kIo, file.string(), "already exists; use --overwrite to replace it");
+    if (!options.overwrite && !file.empty() && std::filesystem::exists(file)) throw FileExists(file.string());
 }
 
 /// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
+#include "morph/render/fold_error.h"
 
 namespace morphkit::render {
 namespace {
@@ -51,12 +51,10 @@ void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std
   const std::vector<warp::MeshFold> folds = warp::find_folds(mesh);
   if (folds.empty()) return;
   const warp::MeshVertex at = folds.front().vertex;
-  throw Error(ErrorCode::kBadInput,
-              place.ends_with('/') ? place + std::to_string(mesh.index(at.column, at.row)) : place,
-              fmt::format("{}: the vertex in column {}, row {} {}{}; move it back into order, or render what can be "
-                          "rendered with --allow-folds",
-                          what, at.column, at.row, text_of(folds.front().kind),
-                          folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : ""));
+  throw FoldError(place.ends_with('/') ? place + std::to_string(mesh.index(at.column, at.row)) : place,
+                  fmt::format("{}: the vertex in column {}, row {} {}{}; move it back into order", what, at.column,
+                              at.row, text_of(folds.front().kind),
+                              folds.size() > 1 ? fmt::format(" ({} vertices in all)", folds.size()) : ""));
 }
 
 MeshPasses passes_of(std::span<const MeshMoment> moments, SideIndex side, warp::PassOrder order) {

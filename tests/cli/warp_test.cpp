@@ -115,7 +115,11 @@ TEST_F(Warp, TellsTheOrderThatItTook) {
 TEST_F(Warp, FoldsAreRefusedUnlessAllowed) {
   expect_failure({"warp", "a.exr", "--mesh", "folded.mesh", "-o", "out.exr"}, 3,
                  "folded.mesh: the mesh folds over: the vertex in column 2, row 1 is not right of its left neighbour");
+  expect_failure({"warp", "a.exr", "--mesh", "folded.mesh", "-o", "out.exr"}, 3,
+                 "; move it back into order, or render what can be rendered with --allow-folds\n");
   expect_done({"warp", "a.exr", "--mesh", "folded.mesh", "-o", "out.exr", "--allow-folds"});
+  expect_failure({"warp", "a.exr", "--mesh", "bent.mesh", "-o", "out.exr"}, 4,
+                 "out.exr: already exists; use --overwrite to replace it\n");
 }
 
 TEST_F(Warp, WrongUseIsExplained) {

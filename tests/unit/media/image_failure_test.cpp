@@ -181,7 +181,7 @@ TEST(ImageFailure, RefusesToWriteToImpossiblePlaces) {
   write_bytes(folder / "file", {1});
   refused(folder / "file/a.png", ErrorCode::kIo, "file");
   write_image(folder / "there.png", image);
-  refused(folder / "there.png", ErrorCode::kIo, "already exists; use --overwrite");
+  refused(folder / "there.png", ErrorCode::kIo, "already exists");
   refused(folder / "a.xyz", ErrorCode::kUsage, ".webp");
   refused(folder / "noextension", ErrorCode::kUsage, ".png");
   refused("/proc/a.png", ErrorCode::kIo, "cannot be created");

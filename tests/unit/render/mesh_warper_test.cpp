@@ -203,6 +203,7 @@ TEST(MeshWarper, AFoldIsNamedUnlessItIsAllowed) {
   project.mesh->vertices[project::kSource] = source.vertices;
   const Error error = error_of([&] { Renderer(project, both); });
   EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_FALSE(contains(error.what(), "--")) << "libraries know no options: " << error.what();
   EXPECT_TRUE(contains(error.what(), "/mesh/source/17: the source mesh folds over: the vertex in column 3, row 2"))
       << error.what();
   const Renderer renderer(project, both, {.allow_folds = true});
