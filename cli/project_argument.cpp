@@ -135,6 +135,11 @@ bool is_project(const std::filesystem::path& file) {
   return file.extension() == ".json";
 }
 
+std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture) {
+  const auto folder = [](const std::filesystem::path& file) { return std::filesystem::absolute(file).parent_path(); };
+  return (std::filesystem::proximate(folder(picture), folder(project)) / picture.filename()).lexically_normal();
+}
+
 project::Project load_project(const std::filesystem::path& file, const ProjectChanges& changes) {
   project::Project project = project::load(file);
   apply_changes(changes, project);

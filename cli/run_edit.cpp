@@ -20,12 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `path`, given from the current directory, as a project in `folder` names it.
-fs::path seen_from(const fs::path& folder, const fs::path& path) {
-  return path.is_absolute() ? path
-                            : fs::proximate(fs::absolute(path), fs::absolute(folder.empty() ? fs::path(".") : folder));
-}
-
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
   return fs::equivalent(a, b, error) && !error;
@@ -79,9 +73,8 @@ project::Project project_to_edit(const EditOptions& options) {
     require_picture(there, there.pictures[project::kDestination], inputs[1]);
     return with_own_pictures(std::move(there));
   }
-  project.pictures[project::kSource].image = seen_from(file.parent_path(), project.pictures[project::kSource].image);
-  project.pictures[project::kDestination].image =
-      seen_from(file.parent_path(), project.pictures[project::kDestination].image);
+  for (project::Picture& picture : project.pictures)
+    if (picture.image.is_relative()) picture.image = seen_from(file, picture.image);
   project.file = file;
   return project;
 }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "cli/command_line.h"
+#include "cli/project_argument.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
 #include "morph/media/image_file.h"
@@ -15,15 +16,6 @@ namespace {
 cv::Size picture_size(const std::filesystem::path& picture) {
   const media::ImageInfo info = media::read_info(picture);
   return {info.width, info.height};
-}
-
-/// `picture` as seen from the folder that `project` lies in. Links among the folders are followed, as whoever opens the
-/// path will do; a link that is the picture itself keeps its name.
-std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture) {
-  const auto folder = [](const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  };
-  return (std::filesystem::proximate(folder(picture), folder(project)) / picture.filename()).lexically_normal();
 }
 
 /// What the project now has.
