@@ -43,7 +43,9 @@ class SchemaForm : public Form<SchemaForm<Owner>, const Owner> {
     std::string text = sentence_of(sentence, facts, node.find("minimum") != nullptr);
     using T = std::remove_const_t<typename SchemaForm::template Member<Access>>;
     if constexpr (!Described<T>) {
-      if (facts.needed.empty()) text += " Default: " + default_of<AnyCodec>(usual_, access, facts) + ".";
+      if (facts.needed.empty())
+        text +=
+            (text.ends_with('.') ? " Default: " : ". Default: ") + default_of<AnyCodec>(usual_, access, facts) + ".";
     }
     add(name, std::move(node), text);
     if (!facts.needed.empty()) required_.push(json::Node::string(std::string(name)));

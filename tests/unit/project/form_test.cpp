@@ -101,6 +101,7 @@ TEST(Form, StatesTypesAndRangesInTheSchema) {
   EXPECT_EQ(keys->find("coils")->find("type")->text, "integer");
   EXPECT_EQ(keys->find("coils")->find("maximum")->number, 9);
   EXPECT_EQ(keys->find("stiffness")->find("properties")->find("stretch")->find("maximum")->number, 20);
+  EXPECT_EQ(keys->find("coils")->find("description")->text, "number of coils; 1 to 9. Default: 3.");
   EXPECT_EQ(schema.find("required")->items.at(0).text, "name");
 }
 
