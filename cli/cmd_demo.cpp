@@ -5,10 +5,26 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
+#include "cli/terminal.h"
 #include "cli/works.h"
 #include "samples/samples.h"
 
 namespace morphkit::cli {
+namespace {
+
+int list_samples(Output& output) {
+  for (const auto& [name, title] : samples::titles()) output.line(fmt::format("{:<12} {}", name, title));
+  return 0;
+}
+
+/// The list needs no picture library.
+Action action_of(const Session& session, const std::shared_ptr<DemoOptions>& options) {
+  return [options, paint = work_of(session, &Works::demo, options)](Output& output) {
+    return options->list ? list_samples(output) : paint(output);
+  };
+}
+
+}  // namespace
 
 void add_demo(CommandLine& line, Session& session) {
   auto options = std::make_shared<DemoOptions>();
@@ -18,7 +34,7 @@ void add_demo(CommandLine& line, Session& session) {
                                  "  morphkit demo --list\n"
                                  "  morphkit demo --all -o /tmp/demo",
                                  kHelpGroup},
-                                work_of(session, &Works::demo, options));
+                                action_of(session, options));
   command.text("NAME", options->name, "Which sample (the first)",
                fmt::format("{{{}}}", fmt::join(samples::names(), ",")));
   command.path("-o,--output", options->folder, "Folder to write into (morphkit-demo)", "DIR");

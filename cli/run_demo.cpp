@@ -28,13 +28,6 @@ bool on_path(const std::string& program) {
   return false;
 }
 
-int list_samples(Output& output) {
-  for (const std::string& name : samples::names()) {
-    output.line(fmt::format("{:<12} {}", name, samples::paint(name).title));
-  }
-  return 0;
-}
-
 std::vector<std::string> chosen_names(const DemoOptions& options) {
   std::vector<std::string> names = samples::names();
   if (options.all) return names;
@@ -81,7 +74,6 @@ std::filesystem::path demo_one(const std::string& name, const DemoOptions& optio
 }  // namespace
 
 int run_demo(const DemoOptions& options, Output& output) {
-  if (options.list) return list_samples(output);
   const std::vector<std::string> names = chosen_names(options);
   const bool video = on_path("ffmpeg");
   if (!video) output.warning("the program ffmpeg is not installed: writing numbered pictures instead of a video");

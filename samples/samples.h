@@ -16,13 +16,20 @@ struct PaintedPicture {
 };
 
 struct Sample {
-  std::string name;                      ///< "faces"
-  std::string title;                     ///< one line for people
+  std::string name;  ///< as in Title
+  std::string title;
   std::vector<PaintedPicture> pictures;  ///< source, destination
   std::string project;                   ///< text of the project file, which lies beside the pictures as <name>.json
 };
 
-/// Names of all samples. The first is the demo's default.
+/// What a sample is called and what it shows, in one line for people.
+struct Title {
+  std::string name;
+  std::string title;
+};
+
+/// Of all samples, without painting any. The first is the demo's default.
+std::vector<Title> titles();
 std::vector<std::string> names();
 
 /// Paints one sample; the same bytes every time. @throws std::invalid_argument for an unknown name.

@@ -310,7 +310,8 @@ TEST(Schema, IsOneJsonObjectOfTheDraftItNames) {
 TEST(Demo, ListsItsSamples) {
   const RunResult result = run_morphkit({"demo", "--list"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_GE(std::count(result.out.begin(), result.out.end(), '\n'), 1);
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 4);
+  EXPECT_TRUE(result.out.starts_with("portraits    A woman becomes a man")) << result.out;
 }
 
 TEST(Demo, WritesPicturesProjectAndFramesAndKeepsWhatSomebodyHasChanged) {

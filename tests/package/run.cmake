@@ -6,7 +6,7 @@ endfunction()
 file(REMOVE_RECURSE "${work}")
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
 run("${work}/prefix/bin/morphkit" --version)
-run("${work}/prefix/bin/morphkit" demo --list)  # runs in libexec/morphkit/morphkit-render
+run("${work}/prefix/bin/morphkit" demo --list)
 
 # A package that names the tree it was built in works here and nowhere else.
 file(GLOB_RECURSE package_files "${work}/prefix/*.cmake")
