@@ -1,70 +1,76 @@
 #include "morph/render/check.h"
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
 #include <utility>
-
-#include <fmt/format.h>
-
-#include "morph/render/line_check.h"
-#include "morph/render/mesh_check.h"
-#include "warp/analysis.h"
 
 namespace morphkit::render {
 namespace {
 
-/// Puts the features or vertices nearest to the worst fold into the finding, and names them for the message.
-std::string name_nearest(const Renderer& renderer, project::Time time, Finding& fold) {
-  if (project::method_name_of(renderer.project()) == project::MethodName::kMesh) {
-    fold.vertices = {nearest_vertex(renderer, fold.position, time)};
-    return fmt::format(" near the vertex in column {}, row {}", fold.vertices[0].x, fold.vertices[0].y);
+using Kind = Finding::Kind;
+
+/// How bad it is, compared with the same problem at another moment.
+std::pair<double, double> severity(const Finding& finding) {
+  switch (finding.kind) {
+    case Kind::kFold:
+      return {static_cast<double>(finding.area_px), 0};
+    case Kind::kMeshFold:
+    case Kind::kBottleneck:
+      return {finding.count, finding.area_lost};
+    default:
+      return {0, 0};
   }
-  fold.features = nearest_features(renderer, fold.position, time);
-  return fold.features.empty() ? "" : fmt::format(" near \"{}\"", fmt::join(fold.features, "\", \""));
 }
 
-void find_map_folds(const Renderer& renderer, SideIndex side, std::vector<Finding>& findings) {
-  Finding worst;
-  worst.kind = Finding::Kind::kFold;
-  worst.where = name_of(side);
-  for (const double t : kMoments) {
-    const project::Time time = renderer.clock().at(t);
-    if (!renderer.shows(side, time)) continue;
-    const std::vector<warp::FoldRegion> regions = warp::find_folds(renderer.map(time, side));
-    std::int64_t area_px = 0;
-    for (const warp::FoldRegion& region : regions) area_px += region.area_px;
-    if (area_px <= worst.area_px) continue;
-    worst.t = t;
-    worst.area_px = area_px;
-    worst.count = static_cast<int>(regions.size());
-    worst.position = regions.front().centroid;
+/// Lines on their way past each other cross somewhere in between: only what crosses half way is worth telling.
+bool is_told(const Finding& finding) {
+  return finding.kind != Kind::kCrossing || finding.where != kInBetween || finding.t == 0.5;
+}
+
+/// The place of a finding in the report: by kind, then by picture, in between last.
+std::pair<int, SideIndex> rank(const Finding& finding, std::size_t sides) {
+  SideIndex side = 0;
+  while (side < sides && finding.where != name_of(side)) ++side;
+  switch (finding.kind) {
+    case Kind::kCrossing:
+      return {0, side};
+    case Kind::kTwins:
+      return {1, 0};
+    case Kind::kOutsideImage:
+    case Kind::kOutsideCanvas:
+      return {2, 0};
+    case Kind::kMeshFold:
+      return {3, side};
+    case Kind::kBottleneck:
+      return {4, side};
+    case Kind::kFold:
+      break;
   }
-  if (worst.area_px == 0) return;
-  worst.message = fmt::format("the {} folds over in {} {} ({} px at t = {:g}), the largest at ({:.0f}, {:.0f})",
-                              worst.where, worst.count, worst.count == 1 ? "place" : "places", worst.area_px, worst.t,
-                              worst.position.x, worst.position.y);
-  worst.message += name_nearest(renderer, renderer.clock().at(worst.t), worst);
-  findings.push_back(std::move(worst));
+  return {5, side};
 }
 
 }  // namespace
 
-const char* name_of(Finding::Kind kind) {
-  constexpr std::array kNames{"crossing", "twins",     "outside-image", "outside-canvas",
-                              "fold",     "mesh-fold", "bottleneck"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 std::vector<Finding> check(const Renderer& renderer) {
   std::vector<Finding> findings;
-  const bool by_mesh = project::method_name_of(renderer.project()) == project::MethodName::kMesh;
-  if (by_mesh)
-    check_mesh(renderer, findings);
-  else
-    check_lines(renderer, findings);
-  // Two passes along curves that keep their order cannot fold: there checking the vertices is enough.
-  if (by_mesh && renderer.project().warp.mesh.spline != warp::MeshSpline::kCatmullRom) return findings;
-  find_map_folds(renderer, kSource, findings);
-  find_map_folds(renderer, kDestination, findings);
+  std::map<std::tuple<Kind, std::string, std::vector<std::string>>, std::size_t> known;
+  for (const double t : kMoments)
+    for (Finding& finding : renderer.warper(renderer.clock().at(t))->problems()) {
+      if (!is_told(finding)) continue;
+      // What lies nearest to a fold changes on the way.
+      const auto features = finding.kind == Kind::kFold ? std::vector<std::string>() : finding.features;
+      const auto [place, is_new] = known.try_emplace({finding.kind, finding.where, features}, findings.size());
+      if (is_new) {
+        findings.push_back(std::move(finding));
+      } else if (severity(finding) > severity(findings[place->second])) {
+        findings[place->second] = std::move(finding);
+      }
+    }
+  const std::size_t sides = renderer.stage().sides.size();
+  std::ranges::stable_sort(findings, {}, [&](const Finding& finding) { return rank(finding, sides); });
   return findings;
 }
 

@@ -1,44 +1,14 @@
 #pragma once
 // Lint for a morph: what will tear, fold or be lost, found before anybody renders it.
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
+#include "morph/render/finding.h"
 #include "morph/render/renderer.h"
 
 namespace morphkit::render {
 
-struct Finding {
-  enum class Kind {
-    kCrossing,       ///< two lines cross: pixels there are pulled two ways
-    kTwins,          ///< two lines lie almost on each other but lead to different places
-    kOutsideImage,   ///< a mark lies outside its picture
-    kOutsideCanvas,  ///< a feature lies wholly outside the canvas: the fit crops it
-    kFold,           ///< the map turns over: a piece of the picture is drawn mirrored or lost
-    kMeshFold,       ///< a vertex of the mesh is out of order
-    kBottleneck      ///< between the passes of the mesh warp the picture is squeezed
-  };
-  Kind kind = Kind::kCrossing;
-  bool warning = true;                ///< false: a note, worth knowing and no defect
-  std::string where;                  ///< "source", "destination" or "in between"
-  std::vector<std::string> features;  ///< ids concerned; for a fold the nearest ones
-  std::vector<cv::Point> vertices;    ///< of the mesh concerned, (column, row)
-  cv::Point2d position;               ///< px: of that side's picture, or of the canvas for "in between" and folds
-  double t = 0;                       ///< moment (folds and "in between")
-  int count = 0;                      ///< fold: connected regions; mesh fold, bottleneck: vertices out of order
-  std::int64_t area_px = 0;           ///< fold: canvas pixels, all regions
-  double area_lost = 0;               ///< bottleneck: see warp::MeshWarp::area_lost
-  std::string message;                ///< one sentence for people
-};
-
-/// The name of a kind in reports: "crossing", "twins", "outside-image", "outside-canvas", "fold",
-/// "mesh-fold", "bottleneck".
-const char* name_of(Finding::Kind kind);
-
-/// Everything noteworthy. Folds are looked for at kMoments on each side that shows at that moment; each side reports
-/// its worst. Cost: of lines, lines^2 and ten maps of canvas size; of a mesh, O(vertices), with kCatmullRom also the
-/// maps.
+/// The problems of kMoments, each once, as it is at its worst. Cost: five times Warper::problems().
 std::vector<Finding> check(const Renderer& renderer);
 
 }  // namespace morphkit::render

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "morph/render/inbetween.h"
+#include "morph/render/warper.h"
 
 namespace morphkit::render {
 namespace {
@@ -75,145 +75,157 @@ bool are_twins(const warp::Line& from_a, const warp::Line& to_a, const warp::Lin
          distance(carried(from_b, to_b, from_a.q), to_a.q) >= kTwinSpreadPx;
 }
 
-std::vector<FeatureLine> lines_of(const Renderer& renderer, const project::Moment& moment) {
-  std::vector<Placement> placements;
-  for (const StageSide& side : renderer.stage().sides) placements.push_back(side.file);
-  return feature_lines(*moment.features, placements);
+/// Whether they lie on each other on the side `from` but lead to different places on another one.
+bool are_twins(const FeatureLine& a, const FeatureLine& b, SideIndex from) {
+  for (SideIndex to = 0; to < a.sides.size(); ++to)
+    if (to != from && are_twins(a.sides[from], a.sides[to], b.sides[from], b.sides[to])) return true;
+  return false;
 }
 
 class LineChecker {
  public:
-  LineChecker(const Renderer& renderer, std::vector<Finding>& findings)
-      : renderer_(renderer),
-        moment_(renderer.moment(renderer.clock().at(0.5))),
-        features_(*moment_.features),
-        lines_(lines_of(renderer, moment_)),
-        findings_(findings) {}
+  LineChecker(const project::Moment& moment, const std::vector<FeatureLine>& lines, const Stage& stage)
+      : moment_(moment), lines_(lines), stage_(stage) {}
 
-  void run() {
+  std::vector<Finding> run() {
     find_crossings();
     find_twins();
-    find_outside();
+    for (const project::MomentFeature& feature : *moment_.features) find_outside(feature);
+    return std::move(findings_);
   }
 
  private:
-  const std::string& id(const FeatureLine& line) const { return features_[line.feature].id; }
+  using Pair = std::pair<std::size_t, std::size_t>;
 
-  void add(Finding finding, std::string message) {
-    finding.message = std::move(message);
-    findings_.push_back(std::move(finding));
+  const std::string& id(std::size_t line) const { return (*moment_.features)[lines_[line].feature].id; }
+
+  /// A finding on one picture.
+  Finding found(Finding::Kind kind, SideIndex side, std::vector<std::string> features, cv::Point2d position) const {
+    Finding finding;
+    finding.kind = kind;
+    finding.where = name_of(side);
+    finding.features = std::move(features);
+    finding.position = position;
+    finding.t = end_of(side, stage_.sides.size());
+    return finding;
   }
 
   void find_crossings() {
-    const auto source = [](const FeatureLine& line) { return line.sides[kSource]; };
-    const auto destination = [](const FeatureLine& line) { return line.sides[kDestination]; };
-    const auto half = [&](const FeatureLine& line) { return between(line, moment_); };
-    const Placement& on_source = renderer_.placement(kSource);
-    const Placement& on_destination = renderer_.placement(kDestination);
-    std::set<std::pair<std::size_t, std::size_t>>
-        known;  // a pair that crosses on a side also does in between: said once
-    find_crossings_of(
-        source, "source", 0, [&](cv::Point2d x) { return on_source.to_image(x); }, known);
-    find_crossings_of(
-        destination, "destination", 1, [&](cv::Point2d x) { return on_destination.to_image(x); }, known);
-    find_crossings_of(
-        half, "in between", 0.5, [](cv::Point2d x) { return x; }, known);
+    std::vector<warp::Line> lines(lines_.size());
+    std::set<Pair> known;  // a pair that crosses on a side also does in between: said once
+    for (SideIndex side = 0; side < stage_.sides.size(); ++side) {
+      std::ranges::transform(lines_, lines.begin(), [&](const FeatureLine& line) { return line.sides[side]; });
+      std::set<Pair> here;
+      find_crossings(lines, here, [&](std::size_t i, std::size_t j, cv::Point2d x) {
+        return found(Finding::Kind::kCrossing, side, {id(i), id(j)}, stage_.sides[side].file.to_image(x));
+      });
+      known.merge(here);
+    }
+    std::ranges::transform(lines_, lines.begin(), [&](const FeatureLine& line) { return between(line, moment_); });
+    find_crossings(lines, known, [&](std::size_t i, std::size_t j, cv::Point2d x) {
+      Finding finding = found(Finding::Kind::kCrossing, 0, {id(i), id(j)}, x);
+      finding.where = kInBetween;
+      finding.t = moment_.time.t;
+      return finding;
+    });
   }
 
-  template <typename LineOf, typename Place>
-  void find_crossings_of(const LineOf& line_of, const char* where, double t, const Place& place,
-                         std::set<std::pair<std::size_t, std::size_t>>& known) {
-    std::vector<warp::Line> lines;
-    lines.reserve(lines_.size());
-    for (const FeatureLine& line : lines_) lines.push_back(line_of(line));
-    std::set<std::pair<std::size_t, std::size_t>> here;
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      for (std::size_t j = i + 1; j < lines_.size(); ++j) {
+  /// @param known  pairs of features that are not told again. @param finding_of  makes the finding of two lines.
+  template <typename FindingOf>
+  void find_crossings(const std::vector<warp::Line>& lines, std::set<Pair>& known, const FindingOf& finding_of) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (std::size_t j = i + 1; j < lines.size(); ++j) {
         const auto x = crossing(lines[i], lines[j]);
-        const std::pair key{lines_[i].feature, lines_[j].feature};
-        if (!x || (t == 0.5 && known.contains(key)) || !here.insert(key).second) continue;
-        const cv::Point2d at = place(*x);
-        Finding finding{Finding::Kind::kCrossing, true, where, {id(lines_[i]), id(lines_[j])}, {}, at, t, 0, 0, 0, {}};
-        add(std::move(finding),
-            key.first == key.second
-                ? fmt::format("\"{}\" crosses itself at ({:.0f}, {:.0f}) {}", id(lines_[i]), at.x, at.y,
-                              place_text(where))
-                : fmt::format("\"{}\" and \"{}\" cross at ({:.0f}, {:.0f}) {}: pixels there are pulled two ways",
-                              id(lines_[i]), id(lines_[j]), at.x, at.y, place_text(where)));
+        if (!x || !known.insert({lines_[i].feature, lines_[j].feature}).second) continue;
+        Finding finding = finding_of(i, j, *x);
+        finding.message = crossing_text(finding);
+        findings_.push_back(std::move(finding));
       }
-    known.insert(here.begin(), here.end());
   }
 
-  static std::string place_text(const std::string& where) { return where == "in between" ? where : "in the " + where; }
+  static std::string crossing_text(const Finding& finding) {
+    const std::string where = finding.where == kInBetween ? finding.where : "in the " + finding.where;
+    const std::string &a = finding.features[0], &b = finding.features[1];
+    const cv::Point2d at = finding.position;
+    if (a == b) return fmt::format("\"{}\" crosses itself at ({:.0f}, {:.0f}) {}", a, at.x, at.y, where);
+    return fmt::format("\"{}\" and \"{}\" cross at ({:.0f}, {:.0f}) {}: pixels there are pulled two ways", a, b, at.x,
+                       at.y, where);
+  }
 
   void find_twins() {
-    std::set<std::pair<std::size_t, std::size_t>> said;
+    std::set<Pair> said;
     for (std::size_t i = 0; i < lines_.size(); ++i)
       for (std::size_t j = i + 1; j < lines_.size(); ++j) {
         const FeatureLine &a = lines_[i], &b = lines_[j];
         if (a.feature == b.feature) continue;
-        const bool in_source =
-            are_twins(a.sides[kSource], a.sides[kDestination], b.sides[kSource], b.sides[kDestination]);
-        if (!in_source && !are_twins(a.sides[kDestination], a.sides[kSource], b.sides[kDestination], b.sides[kSource]))
-          continue;
-        if (!said.insert({a.feature, b.feature}).second) continue;
-        const SideIndex side = in_source ? kSource : kDestination;
-        const warp::Line& line = in_source ? a.sides[kSource] : a.sides[kDestination];
-        const std::string where = in_source ? "source" : "destination";
-        const cv::Point2d at = renderer_.placement(side).to_image((line.p + line.q) / 2.0);
-        add({Finding::Kind::kTwins, true, where, {id(a), id(b)}, {}, at, in_source ? 0.0 : 1.0, 0, 0, 0, {}},
-            fmt::format(
-                "\"{}\" and \"{}\" lie almost on each other at ({:.0f}, {:.0f}) in the {} but lead to different "
-                "places: remove one or move them apart",
-                id(a), id(b), at.x, at.y, where));
+        SideIndex side = 0;
+        while (side < stage_.sides.size() && !are_twins(a, b, side)) ++side;
+        if (side == stage_.sides.size() || !said.insert({a.feature, b.feature}).second) continue;
+        const warp::Line& line = a.sides[side];
+        const cv::Point2d at = stage_.sides[side].file.to_image((line.p + line.q) / 2.0);
+        Finding finding = found(Finding::Kind::kTwins, side, {id(i), id(j)}, at);
+        finding.message = fmt::format(
+            "\"{}\" and \"{}\" lie almost on each other at ({:.0f}, {:.0f}) in the {} but lead to different "
+            "places: remove one or move them apart",
+            id(i), id(j), at.x, at.y, finding.where);
+        findings_.push_back(std::move(finding));
       }
   }
 
-  void find_outside() {
-    for (const project::MomentFeature& feature : features_) {
-      const bool source_cropped = find_outside(feature, kSource, feature.places[kSource], "source");
-      const bool destination_cropped = find_outside(feature, kDestination, feature.places[kDestination], "destination");
-      if (source_cropped && destination_cropped)
-        add({Finding::Kind::kOutsideCanvas, false, "in between", {feature.id}, {}, {}, 0, 0, 0, 0, {}},
-            fmt::format("\"{}\" lies outside the canvas on both sides: the output's size and fit crop it", feature.id));
+  void find_outside(const project::MomentFeature& feature) {
+    bool cropped = true;
+    for (SideIndex side = 0; side < stage_.sides.size(); ++side) {
+      find_outside(feature, side);
+      cropped = cropped && is_cropped(feature.places[side], stage_.sides[side].file);
     }
+    if (!cropped) return;
+    Finding finding = found(Finding::Kind::kOutsideCanvas, 0, {feature.id}, {});
+    finding.warning = false;
+    finding.where = kInBetween;
+    finding.message = fmt::format("\"{}\" lies outside the canvas on {} sides: the output's size and fit crop it",
+                                  feature.id, stage_.sides.size() == 2 ? "both" : "all");
+    findings_.push_back(std::move(finding));
   }
 
-  /// Reports the first point outside the picture. @return whether all points are off the canvas.
-  bool find_outside(const project::MomentFeature& feature, SideIndex side, const std::vector<cv::Point2d>& points,
-                    const char* where) {
-    const cv::Rect2d picture({0, 0}, cv::Size2d(renderer_.picture_size(side)));
-    const cv::Rect2d canvas({0, 0}, cv::Size2d(renderer_.size()));
-    const auto inside = [](const cv::Rect2d& r, cv::Point2d x) {
-      return x.x >= r.x && x.y >= r.y && x.x <= r.x + r.width && x.y <= r.y + r.height;
-    };
-    const auto out = std::find_if(points.begin(), points.end(), [&](cv::Point2d x) { return !inside(picture, x); });
-    if (out != points.end())
-      add({Finding::Kind::kOutsideImage, true, where, {feature.id}, {}, *out, 0, 0, 0, 0, {}},
-          fmt::format("\"{}\" has a point ({:g}, {:g}) outside the {} picture, which is {}x{}", feature.id, out->x,
-                      out->y, where, picture.width, picture.height));
-    return std::none_of(points.begin(), points.end(),
-                        [&](cv::Point2d x) { return inside(canvas, renderer_.placement(side).to_canvas(x)); });
+  static bool inside(cv::Size size, cv::Point2d x) {
+    return x.x >= 0 && x.y >= 0 && x.x <= size.width && x.y <= size.height;
   }
 
-  const Renderer& renderer_;
-  const project::Moment moment_;
-  const std::vector<project::MomentFeature>& features_;
-  std::vector<FeatureLine> lines_;
-  std::vector<Finding>& findings_;
+  /// Reports the first point outside the picture.
+  void find_outside(const project::MomentFeature& feature, SideIndex side) {
+    const cv::Size size = stage_.sides[side].file_size;
+    const project::Points& points = feature.places[side];
+    const auto out = std::ranges::find_if(points, [&](cv::Point2d x) { return !inside(size, x); });
+    if (out == points.end()) return;
+    Finding finding = found(Finding::Kind::kOutsideImage, side, {feature.id}, *out);
+    finding.t = 0;
+    finding.message = fmt::format("\"{}\" has a point ({:g}, {:g}) outside the {} picture, which is {}x{}", feature.id,
+                                  out->x, out->y, finding.where, size.width, size.height);
+    findings_.push_back(std::move(finding));
+  }
+
+  bool is_cropped(const project::Points& points, const Placement& placement) const {
+    return std::ranges::none_of(points, [&](cv::Point2d x) { return inside(stage_.size, placement.to_canvas(x)); });
+  }
+
+  const project::Moment& moment_;
+  const std::vector<FeatureLine>& lines_;
+  const Stage& stage_;
+  std::vector<Finding> findings_;
 };
 
 }  // namespace
 
-void check_lines(const Renderer& renderer, std::vector<Finding>& findings) {
-  LineChecker(renderer, findings).run();
+std::vector<Finding> line_problems(const project::Moment& moment, const std::vector<FeatureLine>& lines,
+                                   const Stage& stage) {
+  return LineChecker(moment, lines, stage).run();
 }
 
-std::vector<std::string> nearest_features(const Renderer& renderer, cv::Point2d position, project::Time time) {
+std::vector<std::string> nearest_features(const project::Moment& moment, const std::vector<FeatureLine>& lines,
+                                          cv::Point2d position) {
   constexpr int kNearestFeatures = 3;
-  const project::Moment moment = renderer.moment(time);
   std::vector<std::pair<double, std::size_t>> distances;
-  for (const FeatureLine& line : lines_of(renderer, moment))
+  for (const FeatureLine& line : lines)
     distances.emplace_back(distance_to(between(line, moment), position), line.feature);
   std::sort(distances.begin(), distances.end());
   std::vector<std::string> ids;

@@ -2,6 +2,7 @@
 // Warping by feature lines: one pass of the field per band serves all pictures.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,21 @@ namespace morphkit::render {
 
 class LineWarper : public Warper {
  public:
+  using Lines = std::shared_ptr<const std::vector<FeatureLine>>;
+
   /// @param lines  of the moment's features.
-  LineWarper(const project::Moment& moment, const std::vector<FeatureLine>& lines, std::vector<WeightRange> weights,
-             const Stage& stage);
+  LineWarper(const project::Moment& moment, Lines lines, std::vector<WeightRange> weights, const Stage& stage);
 
   void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const override;
+  std::vector<Finding> problems() const override;
+  std::optional<cv::Point2d> carry(SideIndex from, SideIndex to, cv::Point2d point) const override;
+  std::string label() const override;
 
  private:
+  std::string name_nearest(Finding& fold) const override;
+  std::vector<warp::FieldLine> lines_about(cv::Point2d centre, SideIndex from, SideIndex to) const;
+
+  Lines lines_;
   /// The first one spreads the weights of the last picture; where these are not alike everywhere, one more spreads
   /// those of each picture between the first and the last.
   std::vector<warp::LineField> fields_;
@@ -31,15 +40,13 @@ class LinePlan : public Plan {
 
   std::unique_ptr<Warper> at(const project::Moment& moment) const override;
   std::vector<WeightRange> weights(const project::Moment& moment) const override;
-  std::string label() const override;
 
  private:
-  using Lines = std::shared_ptr<const std::vector<FeatureLine>>;
-  Lines lines_of(const project::Moment& moment) const;
+  LineWarper::Lines lines_of(const project::Moment& moment) const;
 
   const Stage& stage_;
   project::Moment first_;
-  Lines lines_;  ///< of the first moment's features
+  LineWarper::Lines lines_;  ///< of the first moment's features
 };
 
 }  // namespace morphkit::render

@@ -1,16 +1,21 @@
 #pragma once
 // Lint for meshes. Internal to morph/render.
 
+#include <optional>
 #include <vector>
 
-#include "morph/render/check.h"
+#include "morph/render/finding.h"
+#include "morph/render/mesh_warper.h"
 
 namespace morphkit::render {
 
-/// Vertices out of order on either side and in between, and parts that the passes squeeze.
-void check_mesh(const Renderer& renderer, std::vector<Finding>& findings);
+/// Vertices out of order on the pictures and in between.
+std::vector<Finding> mesh_folds(const std::vector<MeshSide>& sides, const warp::Mesh& between, double t);
 
-/// The vertex that is nearest to a canvas position at a moment.
-cv::Point nearest_vertex(const Renderer& renderer, cv::Point2d position, project::Time time);
+/// Where the passes squeeze a picture that goes onto the in-between mesh; nothing if that is not seen.
+std::optional<Finding> bottleneck(SideIndex side, const MeshPasses& passes);
+
+/// The vertex that is nearest to a position.
+cv::Point nearest_vertex(const warp::Mesh& mesh, cv::Point2d position);
 
 }  // namespace morphkit::render

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,17 +33,22 @@ struct MeshMoment {
   std::shared_ptr<const std::vector<MeshSide>> sides;
 };
 
-/// @param moments  those of kMoments. @param order  kRowsFirst or kColumnsFirst.
+/// At one moment. @param held  the mesh on the picture as it is held. @param to  the in-between mesh.
+MeshPasses passes_at(const warp::Mesh& held, const warp::Mesh& to, warp::PassOrder order, double t);
+
+/// At the worst of the moments at which the picture shows. @param order  kRowsFirst or kColumnsFirst.
 MeshPasses passes_of(std::span<const MeshMoment> moments, SideIndex side, warp::PassOrder order);
 
 /// For all frames at once, since a change on the way would show as a jump: the order that is `asked` for, or for
 /// kAuto of both the one with fewer folds, then with less area lost.
 MeshPasses choose_passes(warp::PassOrder asked, std::span<const MeshMoment> moments, SideIndex side);
 
+class MeshPlan;
+
 class MeshWarper : public Warper {
  public:
-  /// @param passes  of the plan, which outlives this. @param border  of all pictures.
-  MeshWarper(const MeshMoment& mesh, std::span<const MeshPasses> passes, warp::Border border, const Stage& stage);
+  /// @param border  of all pictures.
+  MeshWarper(const MeshMoment& mesh, const MeshPlan& plan, warp::Border border, const Stage& stage);
 
   /// Cost: O(columns + rows) for every pixel; `map` is much faster for a whole canvas.
   void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const override;
@@ -49,12 +56,18 @@ class MeshWarper : public Warper {
   warp::Map map(SideIndex side, Pixels pixels) const override;
   std::optional<warp::Image> drawn(SideIndex side) const override;
   void weight_row(SideIndex side, int y, std::span<float> out) const override;
+  std::vector<Finding> problems() const override;
+  /// By the two triangles of each cell; the curves of a render agree with them at the vertices only, which is good
+  /// enough for a first guess. Points beside the picture count as points of its border.
+  std::optional<cv::Point2d> carry(SideIndex from, SideIndex to, cv::Point2d point) const override;
+  std::string label() const override;
 
  private:
+  std::string name_nearest(Finding& fold) const override;
   warp::MeshWarp bend(SideIndex side, Pixels pixels) const;
 
   std::shared_ptr<const std::vector<MeshSide>> sides_;
-  std::span<const MeshPasses> passes_;
+  const MeshPlan& plan_;
   warp::MeshSpline spline_;
   warp::Mesh to_;
   std::vector<warp::MeshValues> values_;  ///< the weights of every side but the first
@@ -70,17 +83,21 @@ class MeshPlan : public Plan {
   std::vector<WeightRange> weights(const project::Moment& moment) const override;
   void require(const project::Moment& moment) const override;
   std::size_t scratch_bytes() const override;
-  std::string label() const override;
+
+  /// Per side; chosen when first asked for.
+  const std::vector<MeshPasses>& passes() const;
 
  private:
   MeshMoment mesh_at(const project::Moment& moment) const;
 
   const std::filesystem::path file_;  ///< the project, for messages
+  const project::Evaluator& moments_;
   const Stage& stage_;
   MeshMoment first_;
-  std::vector<MeshPasses> passes_;  ///< per side
   warp::Border border_;
   bool allow_folds_;
+  mutable std::once_flag chosen_;
+  mutable std::vector<MeshPasses> passes_;
 };
 
 /// @param what  begins the sentence: "the source mesh folds over". @param place  for the message; if it ends with a

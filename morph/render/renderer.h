@@ -67,7 +67,7 @@ class Renderer {
   }
 
   /// What does the work, in a few words for --verbose.
-  std::string description() const { return plan_->label(); }
+  std::string description() const { return warper(clock().at(0))->label(); }
 
  private:
   /// What the plan refers to: stays where it is when the renderer moves.

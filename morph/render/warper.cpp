@@ -4,9 +4,12 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/parallel.h"
 #include "morph/render/line_warper.h"
 #include "morph/render/mesh_warper.h"
+#include "warp/analysis.h"
 #include "warp/field/line_field.h"
 
 namespace morphkit::render {
@@ -50,6 +53,32 @@ warp::Map Warper::map(SideIndex side, Pixels pixels) const {
       },
       warp::kFieldTile);
   return map;
+}
+
+std::vector<Finding> Warper::map_folds() const {
+  std::vector<Finding> findings;
+  for (SideIndex side = 0; side < weights_.size(); ++side) {
+    if (!weights_[side].shows()) continue;
+    const std::vector<warp::FoldRegion> regions = warp::find_folds(map(side, Pixels::kFile));
+    if (regions.empty()) continue;
+    Finding fold;
+    fold.kind = Finding::Kind::kFold;
+    fold.where = name_of(side);
+    fold.t = moment_.time.t;
+    fold.count = static_cast<int>(regions.size());
+    fold.position = regions.front().centroid;
+    for (const warp::FoldRegion& region : regions) fold.area_px += region.area_px;
+    fold.message = fmt::format("the {} folds over in {} {} ({} px at t = {:g}), the largest at ({:.0f}, {:.0f})",
+                               fold.where, fold.count, fold.count == 1 ? "place" : "places", fold.area_px, fold.t,
+                               fold.position.x, fold.position.y);
+    if (const std::string nearest = name_nearest(fold); !nearest.empty()) fold.message += " near " + nearest;
+    findings.push_back(std::move(fold));
+  }
+  return findings;
+}
+
+double end_of(SideIndex side, std::size_t sides) {
+  return sides > 1 ? static_cast<double>(side) / static_cast<double>(sides - 1) : 0;
 }
 
 std::unique_ptr<Plan> make_plan(const project::Project& project, const project::Evaluator& moments, const Stage& stage,

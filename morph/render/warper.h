@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "morph/project/evaluate.h"
+#include "morph/render/finding.h"
 #include "morph/render/stage.h"
 #include "warp/image/image.h"
 
@@ -36,7 +37,7 @@ struct WeightRange {
 std::vector<WeightRange> ranges_of(std::span<const project::Weights> weights);
 
 /// The warp of one moment. Immutable: any number of threads may use one at once. The stage and the plan that made it
-/// outlive it.
+/// outlive it. Only this class and its plan know their method.
 class Warper {
  public:
   virtual ~Warper() = default;
@@ -61,16 +62,42 @@ class Warper {
   /// What every pixel of a canvas row takes of a picture, for methods that draw whole pictures. @pre side > 0.
   virtual void weight_row(SideIndex, int, std::span<float>) const {}
 
+  /// What is wrong with this moment. @pre the stage shows the whole canvas. Cost: a map of each side that shows, unless
+  /// the method cannot fold; by lines also lines^2, by a mesh O(vertices).
+  virtual std::vector<Finding> problems() const = 0;
+
+  /// Where a point of one picture lies in another one, px of the image files: by what corresponds, whatever the
+  /// weights. Nothing if that says nothing there. The stage needs no images. @pre the point is finite.
+  /// Cost: O(lines) or O(vertices).
+  virtual std::optional<cv::Point2d> carry(SideIndex from, SideIndex to, cv::Point2d point) const = 0;
+
+  /// What does the work, in a few words for --verbose.
+  virtual std::string label() const = 0;
+
  protected:
-  Warper(const Stage& stage, std::vector<WeightRange> weights) : stage_(stage), weights_(std::move(weights)) {}
+  /// @param weights  of the moment, over everything that the frame is made of.
+  Warper(project::Moment moment, const Stage& stage, std::vector<WeightRange> weights)
+      : moment_(std::move(moment)), stage_(stage), weights_(std::move(weights)) {}
+
+  const project::Moment& moment() const noexcept { return moment_; }
   const Stage& stage() const noexcept { return stage_; }
 
+  /// Where the map of a side that shows turns over, one finding per side.
+  std::vector<Finding> map_folds() const;
+
  private:
+  /// Puts what is nearest to a fold into the finding, and names it: "the vertex in column 2, row 3"; "" if nothing is.
+  virtual std::string name_nearest(Finding& fold) const = 0;
+
+  const project::Moment moment_;
   const Stage& stage_;
   std::vector<WeightRange> weights_;
 };
 
-/// What a method knows of a whole shot. Immutable. The project and the stage outlive it.
+/// The progress at which the picture `side` is whole, in [0, 1].
+double end_of(SideIndex side, std::size_t sides);
+
+/// What a method knows of a whole shot. Immutable. The evaluator and the stage outlive it.
 class Plan {
  public:
   virtual ~Plan() = default;
@@ -87,9 +114,6 @@ class Plan {
 
   /// Memory that a frame takes beside its result and a few rows for every thread.
   virtual std::size_t scratch_bytes() const { return 0; }
-
-  /// What does the work, in a few words for --verbose.
-  virtual std::string label() const = 0;
 
  protected:
   Plan() = default;

@@ -1,6 +1,7 @@
 #include "cli/edit/document/document.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -140,9 +141,12 @@ void Document::select_all_vertices() {
   state_.selection = {{}, first_numbers(vertex_count(project()))};
 }
 
+std::vector<cv::Point2d> Document::counterparts(SideIndex side, std::span<const cv::Point2d> positions) const {
+  return edit::counterparts(project(), moments(), std::array{source_, destination_}, side, positions);
+}
+
 cv::Point2d Document::counterpart(SideIndex side, cv::Point2d position) const {
-  const project::Moment moment = moments().at(moments().clock().at(0));
-  return edit::counterpart(project(), moment, source_, destination_, side, position);
+  return counterparts(side, {&position, 1}).front();
 }
 
 int Document::add(Feature feature) {
@@ -201,8 +205,7 @@ int Document::add_curve(SideIndex side, const std::vector<cv::Point2d>& points, 
   for (const cv::Point2d& point : points) here.push_back(kept(point));
   if (here.size() > project::kMaxPoints || motion::Curve::problem(curve.kind, here, closed)) return -1;
   Points& there = points_of(feature, other(side));
-  there.reserve(here.size());
-  for (const cv::Point2d& point : here) there.push_back(counterpart(side, point));
+  there = counterparts(side, here);
   if (!sound(feature)) {
     // Carried out of the picture and back to its border, the partner has lost its shape: it gets the one drawn.
     const cv::Point2d by = there.front() - here.front();

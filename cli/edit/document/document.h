@@ -113,6 +113,7 @@ class Document {
 
   /// Where the warp so far carries a position of one picture in the other; without features where the canvas has it.
   cv::Point2d counterpart(SideIndex side, cv::Point2d position) const;
+  std::vector<cv::Point2d> counterparts(SideIndex side, std::span<const cv::Point2d> positions) const;
 
  private:
   void change(const std::function<void(project::Project&)>& edit);

@@ -54,5 +54,42 @@ TEST(LineWarper, TheDissolveIsThatOfTheNearestFeatures) {
   EXPECT_GT(dissolve(15, 45), dissolve(50, 50)) << "near the brow, far from it";
 }
 
+TEST(LineWarper, CarriesAPointFromAnyPictureToAnyOther) {
+  project::Project project;
+  project.pull.a = 0;
+  project.output.size = kSize;
+  project.features = {test::line("l", {{20, 20}, {60, 20}}, {{60, 60}, {60, 100}})};
+  const cv::Size large(kSize.width * 2, kSize.height * 2);
+  const Renderer renderer(project, pictures(random_image(kSize, 7), random_image(large, 8)));
+  for (const double t : {0.0, 0.3, 1.0}) {
+    const auto warper = renderer.warper(renderer.clock().at(t));
+    const auto there = warper->carry(kSource, kDestination, {40, 20}),
+               back = warper->carry(kDestination, kSource, {60, 80});
+    ASSERT_TRUE(there && back);
+    EXPECT_LE(cv::norm(*there - cv::Point2d(60, 80)), 1e-3);
+    EXPECT_LE(cv::norm(*back - cv::Point2d(40, 20)), 1e-3);
+    EXPECT_LE(cv::norm(*warper->carry(kSource, kSource, {33, 44}) - cv::Point2d(33, 44)), 1e-3);
+  }
+}
+
+TEST(LineWarper, WithoutFeaturesCarriesNothing) {
+  const Renderer renderer({}, pictures(random_image(kSize, 9), random_image(kSize, 10)));
+  EXPECT_FALSE(renderer.warper(renderer.clock().at(0.5))->carry(kSource, kDestination, {4, 5}));
+}
+
+TEST(LineWarper, HasTheProblemsOfItsMoment) {
+  project::Project project;  // two neighbours change places
+  project.features = {test::line("left", {{40, 10}, {40, 54}}, {{56, 10}, {56, 54}}),
+                      test::line("right", {{56, 10}, {56, 54}}, {{40, 10}, {40, 54}})};
+  const Renderer renderer(project, pictures(random_image(kSize, 11), random_image(kSize, 12)));
+  EXPECT_TRUE(renderer.warper(renderer.clock().at(0))->problems().empty());
+  const std::vector<Finding> found = renderer.warper(renderer.clock().at(0.25))->problems();
+  ASSERT_EQ(found.size(), 1u) << "only the destination has crossed the middle";
+  EXPECT_EQ(found[0].kind, Finding::Kind::kFold);
+  EXPECT_EQ(found[0].where, "destination");
+  EXPECT_EQ(found[0].t, 0.25);
+  EXPECT_EQ(found[0].features.size(), 2u);
+}
+
 }  // namespace
 }  // namespace morphkit::render

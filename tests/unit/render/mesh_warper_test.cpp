@@ -275,6 +275,34 @@ TEST(MeshWarper, AMomentIsJudgedByThePicturesThatShow) {
   EXPECT_THROW(late.require(late.clock().at(0.98)), Error);
 }
 
+TEST(MeshWarper, CarriesVerticesToTheirPartners) {
+  const project::Project project = mesh_project(kSize, {80, 70});
+  const Renderer renderer(project, pictures(random_image(kSize, 27), random_image({80, 70}, 28)));
+  const auto warper = renderer.warper(renderer.clock().at(0.3));
+  const std::vector<project::Points>& vertices = project.mesh->vertices;
+  for (std::size_t i = 0; i < vertices[kSource].size(); ++i) {
+    const auto there = warper->carry(kSource, kDestination, vertices[kSource][i]);
+    ASSERT_TRUE(there);
+    EXPECT_LE(cv::norm(*there - vertices[kDestination][i]), 1e-9) << i;
+  }
+  EXPECT_EQ(warper->carry(kSource, kDestination, {-9, 500}), cv::Point2d(0, 70));
+}
+
+TEST(MeshWarper, ItsProblemsAreThoseOfItsMoment) {
+  const cv::Size size(128, 128);
+  const Renderer renderer(turning_project(1.2217), pictures(random_image(size, 29), random_image(size, 30)),
+                          {.allow_folds = true});
+  const auto problems = [&](double t) { return renderer.warper(renderer.clock().at(t))->problems(); };
+  EXPECT_EQ(problems(1).size(), 0u) << "the source does not show, the destination stays";
+  const std::vector<Finding> early = problems(0.01), late = problems(0.99);
+  ASSERT_EQ(early.size(), 1u);
+  EXPECT_EQ(early[0].kind, Finding::Kind::kBottleneck);
+  EXPECT_EQ(early[0].where, "destination");
+  EXPECT_EQ(early[0].t, 0.01);
+  ASSERT_EQ(late.size(), 1u);
+  EXPECT_EQ(late[0].where, "source");
+}
+
 TEST(MeshWarper, CheckNamesFoldedVertices) {
   const Pictures both = pictures(random_image(kSize, 21), random_image(kSize, 22));
   project::Project project = mesh_project();
