@@ -11,23 +11,24 @@ namespace morphkit::project {
 template <typename F>
 void describe(F& form, Of<Pull>) {
   form("a", &Pull::a, {.least = 0, .most = kMaxCoordinate, .usual = 1},
-       "how softly a feature grips, in pixels; at 0 the picture on a feature follows it exactly");
+       "softness of the pull near a feature, in pixels; at 0, pixels on the feature follow it exactly");
   form("b", &Pull::b, {.least = 0, .most = kMaxFalloff, .usual = 2},
        "how fast the pull of a feature falls with distance; 0.5 to 2 is usual");
   form("p", &Pull::p, {.least = 0, .most = 1, .usual = 0}, "how much more longer lines pull than shorter ones");
   form("scale", &Pull::scale, {},
-       "when a line grows, `\"along\"`: the picture stretches along it only; `\"uniform\"`: it grows all around");
+       "when a line grows: `\"along\"` stretches the picture only along the line, `\"uniform\"` scales it in all "
+       "directions");
   form("between", &Pull::between, {.what = "way between"},
-       "on the way, `\"endpoints\"`: both ends move straight (a line that turns shrinks meanwhile); `\"centre\"`: the "
-       "centre and the length change evenly while the line turns");
+       "the way of a line: with `\"endpoints\"` both ends move straight (a line that turns shrinks meanwhile); with "
+       "`\"centre\"` the centre and the length change evenly while the line turns");
   form("turns", &Pull::turns, {.least = -kMaxTurns, .most = kMaxTurns, .whole = true},
-       "extra turns on the way, clockwise on screen; with `between` `centre`");
+       "extra turns on the way, clockwise on screen; only with `between` `centre`");
 }
 
 template <typename F>
 void describe(F& form, Of<Pace>) {
   form("shape", &Pace::shape, {}, "how the features move from one place to the other");
-  form("dissolve", &Pace::dissolve, {}, "how the colours change; a feature's own applies around it");
+  form("dissolve", &Pace::dissolve, {}, "how the colours change; the timing of a feature applies around it");
 }
 
 template <typename F>
@@ -43,8 +44,9 @@ void describe(F& form, Of<MeshMethod>) {
        "the curves through the vertices of the mesh: `\"monotone\"` (smooth, never beyond its vertices), "
        "`\"catmull-rom\"` (rounder; overshoots between uneven vertices) or `\"linear\"`");
   form("order", &MeshMethod::order, {},
-       "the direction in which the mesh moves pixels first: `\"rows-first\"`, `\"columns-first\"`, or `\"auto\"`, the "
-       "one that folds nowhere and of two the one that keeps more of the picture");
+       "the first pass of the mesh: `\"rows-first\"`, `\"columns-first\"`, or `\"auto\"`: the order without folds, or "
+       "of two "
+       "the one that keeps more of the picture");
 }
 
 template <typename F>
@@ -86,7 +88,7 @@ void describe(F& form, Of<Feature>) {
         curve(
             "spline", [](auto& feature) -> auto& { return std::get<Curve>(feature.mark).kind; }, {},
             "`\"polyline\"`: straight between the points; `\"catmull-rom\"`: smooth through all points; `\"bezier\"`: "
-            "cubic pieces, 3n + 1 points of which every third lies on the curve (3n when closed)");
+            "cubic pieces, 3n + 1 points (3n when closed); every third point lies on the curve");
         curve(
             "closed", [](auto& feature) -> auto& { return std::get<Curve>(feature.mark).closed; }, {},
             "`true` joins the last point to the first (from 3 points)");
@@ -124,12 +126,12 @@ void describe(F& form, Of<Picture>) {
   static constexpr std::string_view kSpaces[] = {"srgb", "linear"};
   form("image", &Picture::image,
        {.what = "the path of an image", .needed = "name a picture, e.g. {\"image\": \"cat.png\"}"},
-       "path of the picture; a relative one starts at the folder of the project file");
+       "path of the picture; relative paths start at the folder of the project file");
   form("colorspace", &Picture::colorspace,
        {.what = "colour space",
-        .otherwise = "what the picture says of itself; else `srgb` for 8 and 16 bits, `linear` for float",
+        .otherwise = "the tag in the picture; without a tag, `srgb` for 8 and 16 bits, `linear` for float",
         .words = kSpaces},
-       "what the values in the picture mean: `\"srgb\"` or `\"linear\"`");
+       "colour space of the values in the picture: `\"srgb\"` or `\"linear\"`");
 }
 
 template <typename F>
@@ -137,16 +139,17 @@ void describe(F& form, Of<Output>) {
   form("size", &Output::size, {.otherwise = "the size of the source picture"},
        "`[width, height]` in pixels, each 1 to 65536, together at most 2^30 pixels");
   form("fit", &Output::fit, {},
-       "how a picture of another size is placed: `\"contain\"` (all of it is seen), `\"cover\"` (it fills the canvas), "
-       "`\"stretch\"` (it fills it and loses its proportions), `\"none\"` (pixel for pixel)");
+       "how a picture of another size is placed: `\"contain\"` (all of it is visible), `\"cover\"` (it fills the "
+       "canvas), "
+       "`\"stretch\"` (it fills the canvas and loses its proportions), `\"none\"` (pixel for pixel)");
   form("frames", &Output::frames, {.least = 1, .most = kMaxFrames}, "number of frames");
   form("start", &Output::start, {.least = 0, .most = kMaxStart}, "number of the first frame");
   form("fps", &Output::fps, {},
-       "frames per second, up to 1000: a whole number, a fraction such as `\"30000/1001\"`, or one of `23.976`, "
+       "frames per second, up to 1000: a whole number, a fraction like `\"30000/1001\"`, or one of `23.976`, "
        "`23.98`, `29.97`, `47.952`, `59.94`, `119.88`, which mean the exact rates of video (24000/1001, 30000/1001, "
        "...)");
   form("background", &Output::background, {},
-       "what lies behind: a colour as on screen, `\"#rrggbb\"`, `\"#rrggbbaa\"`, `[r, g, b]` or `[r, g, b, a]` from 0 "
+       "the background: a colour as on screen, `\"#rrggbb\"`, `\"#rrggbbaa\"`, `[r, g, b]` or `[r, g, b, a]` from 0 "
        "to 1, `\"transparent\"`, `\"black\"`, `\"white\"`; or a picture, `{\"image\": \"sky.png\"}`");
 }
 
@@ -155,8 +158,9 @@ template <typename F>
 void describe_warp(F& form) {
   form(
       "method", [](auto& project) -> auto& { return project.warp.method; },
-      {.otherwise = "`mesh` if there is a mesh and no feature, else `lines`: the first feature beside a mesh puts the "
-                    "mesh out of use, which `morph` and `check` tell"},
+      {.otherwise =
+           "`mesh` if there is a mesh and no feature, else `lines`. With features the mesh is not used by default; "
+           "`morph` and `check` then say so"},
       "`\"lines\"`: feature lines after Beier and Neely, 1992; `\"mesh\"`: the mesh, in two passes, after Smythe, "
       "1990");
   form.part([](auto& project) -> auto& { return project.warp.mesh; });
@@ -164,15 +168,17 @@ void describe_warp(F& form) {
   form.part([](auto& project) -> auto& { return project.warp.lines; });
   form(
       "filter", [](auto& project) -> auto& { return project.warp.filter; }, {},
-      "how colours are found: `\"area\"`, `\"mitchell\"` (softer) or `\"lanczos\"` (sharper, rings at hard edges), "
-      "which average where the picture shrinks and are bicubic elsewhere; or at a point whatever happens, "
-      "`\"nearest\"`, `\"bilinear\"` or `\"bicubic\"`");
+      "sampling filter. `\"area\"`, `\"mitchell\"` (softer) and `\"lanczos\"` (sharper, rings at hard edges) average "
+      "where "
+      "the picture shrinks and are bicubic elsewhere; `\"nearest\"`, `\"bilinear\"` and `\"bicubic\"` always read a "
+      "point");
   form(
       "border", [](auto& project) -> auto& { return project.warp.border; }, {},
-      "what lies beyond the edge of a picture: `\"transparent\"`, `\"clamp\"` (the edge goes on), `\"mirror\"`, or "
-      "`\"auto\"`: clamp where the picture covers the canvas, transparent where it does not; with a mesh, clamp only "
-      "if "
-      "both pictures cover it, since the outline moves from one to the other; the mesh cannot mirror");
+      "colours beyond the edge of a picture: `\"transparent\"`, `\"clamp\"` (the edge continues), `\"mirror\"`, or "
+      "`\"auto\"`: clamp if the picture covers the canvas, else transparent. With a mesh, `\"auto\"` clamps only if "
+      "both "
+      "pictures cover the canvas, because the outline moves from one to the other. The mesh does not support "
+      "`\"mirror\"`");
 }
 
 template <typename F>

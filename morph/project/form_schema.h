@@ -23,7 +23,7 @@ std::string default_text(const json::Node& value);
 template <typename AnyCodec, typename Owner, typename Access>
 std::string default_of(const Owner& usual, const Access& access, const Facts& facts) {
   if (!facts.otherwise.empty()) return std::string(facts.otherwise);
-  if (!facts.needed.empty()) return "needed";
+  if (!facts.needed.empty()) return "required";
   if constexpr (requires { AnyCodec::default_node(facts); }) {
     return default_text(AnyCodec::default_node(facts));
   } else {

@@ -145,9 +145,10 @@ void describe(F& form, Of<KeysEase>) {
 /// What all easings have.
 template <typename F>
 void describe(F& form, Of<Timing>) {
-  form("delay", &Timing::delay, {.least = 0, .most = 1}, "how long nothing happens, as a fraction of the transition");
-  form("duration", &Timing::duration, {.least = 0, .most = 1, .otherwise = "what is left after the delay"},
-       "how long the change takes, likewise; `delay` and `duration` add up to at most 1");
+  form("delay", &Timing::delay, {.least = 0, .most = 1},
+       "time before the change starts, as a fraction of the transition");
+  form("duration", &Timing::duration, {.least = 0, .most = 1, .otherwise = "the rest after the delay"},
+       "time of the change, likewise; `delay` and `duration` add up to at most 1");
 }
 
 namespace {

@@ -2,8 +2,10 @@
 
 #include "morph/project/form.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -109,7 +111,7 @@ TEST(Form, RowsForTheReferencePage) {
   std::vector<std::string> rows;
   collect_rows<Spring>(rows);
   EXPECT_EQ(rows, (std::vector<std::string>{"| `coils` | number of coils; 1 to 9 | 3 |",  //
-                                            "| `name` | its name | needed |",
+                                            "| `name` | its name | required |",
                                             "| `bend` | how hard it is to bend; 0 to 10 | 1 |",
                                             "| `stretch` | how hard it is to stretch; 0 to 20 | 2 |"}));
 }
@@ -129,6 +131,35 @@ TEST(ReferenceRows, ThePageNamesEveryKey) {
     const std::string key = row.substr(2, row.find(" |", 2) - 2);
     EXPECT_NE(page.find(key), std::string::npos) << row;
   }
+}
+
+/// The cells of a row "| a | b | c |"; code spans hold no bars.
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  for (std::size_t at = 0; at + 1 < row.size();) {
+    const std::size_t end = row.find('|', at + 1);
+    if (end == std::string::npos) break;
+    cells.push_back(row.substr(at + 1, end - at - 1));
+    at = end;
+  }
+  return cells;
+}
+
+/// A row of the page with a key that has rows of its own in the form is one of these, whole. What it should be stands
+/// in the message: paste it.
+TEST(ReferenceRows, ThePageHasThemWhole) {
+  std::map<std::string, std::vector<std::string>> rows_of_key;
+  for (const std::string& row : reference_rows()) rows_of_key[cells_of(row)[0]].push_back(row);
+  std::ifstream page(MORPHKIT_SOURCE_DIR "/docs/project-file.md");
+  int compared = 0;
+  for (std::string line; std::getline(page, line);) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() != 3 || !rows_of_key.contains(cells[0])) continue;
+    const std::vector<std::string>& rows = rows_of_key[cells[0]];
+    EXPECT_NE(std::ranges::find(rows, line), rows.end()) << line << "\nshould be\n" << rows.front();
+    ++compared;
+  }
+  EXPECT_GE(compared, 28);
 }
 
 }  // namespace
