@@ -1,6 +1,7 @@
 #include "base/whole_file.h"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <system_error>
@@ -31,6 +32,8 @@ std::string read_file(const std::filesystem::path& file, const char* what, std::
   if (!stream) fail_reading(file, errno);
   // Reads in pieces: pipes and devices have no size to ask for.
   std::string text;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size <= most) text.reserve(static_cast<std::size_t>(size));
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stream.get())) {
     text.append(buffer, count);

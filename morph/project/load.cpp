@@ -1,6 +1,7 @@
 // Files in: text, then the document.
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/whole_file.h"
@@ -10,8 +11,10 @@
 
 namespace morphkit::project {
 
-Project parse(const std::string& text, const std::filesystem::path& name) {
-  auto original = std::make_shared<const std::string>(json::strip_bom(text, name.string()));
+namespace {
+
+Project project_of(std::string text, const std::filesystem::path& name) {
+  auto original = std::make_shared<const std::string>(json::strip_bom(std::move(text), name.string()));
   const json::Document document{name.string(), json::parse(*original, name.string())};
   Project project = read_project(document);
   project.file = name;
@@ -19,8 +22,14 @@ Project parse(const std::string& text, const std::filesystem::path& name) {
   return project;
 }
 
+}  // namespace
+
+Project parse(const std::string& text, const std::filesystem::path& name) {
+  return project_of(text, name);
+}
+
 Project load(const std::filesystem::path& file) {
-  return parse(read_file(file, "project", json::kMaxFileBytes), file);
+  return project_of(read_file(file, "project", json::kMaxFileBytes), file);
 }
 
 void load_features(Project& project, const std::filesystem::path& file) {
