@@ -15,30 +15,12 @@ namespace {
 bool find_pointer(const Node& from, const Node* target, std::string& path) {
   if (&from == target) return true;
   const std::size_t length = path.size();
-  for (std::size_t i = 0; i < from.items.size(); ++i) {
-    path += from.is(Kind::kObject) ? pointer_token(from.keys[i]) : fmt::format("/{}", i);
-    if (find_pointer(from.items[i], target, path)) return true;
+  for (std::size_t i = 0; i < from.items().size(); ++i) {
+    path += from.is(Kind::kObject) ? pointer_token(from.keys()[i]) : fmt::format("/{}", i);
+    if (find_pointer(from.items()[i], target, path)) return true;
     path.resize(length);
   }
   return false;
-}
-
-std::string describe(const Node& node) {
-  switch (node.kind) {
-    case Kind::kNull:
-      return "null";
-    case Kind::kBool:
-      return node.boolean ? "true" : "false";
-    case Kind::kNumber:
-      return "the number " + number_text(node.number);
-    case Kind::kString:
-      return "the string " + shown(node.text);
-    case Kind::kArray:
-      return fmt::format("an array of {}", node.items.size());
-    case Kind::kObject:
-      return "an object";
-  }
-  return "something else";
 }
 
 std::string listed(std::span<const std::string_view> words) {
@@ -52,7 +34,29 @@ std::string listed(std::span<const std::string_view> words) {
 std::string Cursor::pointer() const {
   std::string path;
   find_pointer(document_->root, node_, path);
-  return path;
+  if (level_ == Level::kNode) return path;
+  const std::size_t row = node_->flat().row;
+  if (row == 0) return path + fmt::format("/{}", first_);
+  path += fmt::format("/{}", first_ / row);
+  return level_ == Level::kRow ? path : path + fmt::format("/{}", first_ % row);
+}
+
+std::string Cursor::description() const {
+  switch (kind()) {
+    case Kind::kNull:
+      return "null";
+    case Kind::kBool:
+      return boolean() ? "true" : "false";
+    case Kind::kNumber:
+      return "the number " + number_text(number());
+    case Kind::kString:
+      return "the string " + shown(string());
+    case Kind::kArray:
+      return fmt::format("an array of {}", size());
+    case Kind::kObject:
+      return "an object";
+  }
+  return "something else";
 }
 
 void Cursor::fail(const std::string& message) const {
@@ -60,8 +64,8 @@ void Cursor::fail(const std::string& message) const {
   throw Error(ErrorCode::kBadInput, path.empty() ? document_->file : document_->file + ": " + path, message);
 }
 
-void Cursor::fail_expected(const std::string& what) const {
-  fail(fmt::format("expected {}, found {}", what, describe(*node_)));
+void Cursor::fail_expected(std::string_view what) const {
+  fail(fmt::format("expected {}, found {}", what, description()));
 }
 
 void Cursor::fail_unknown(const std::string& what, std::string_view found,
@@ -75,15 +79,16 @@ void Cursor::fail_unknown(const std::string& what, std::string_view found,
 
 void Cursor::allow_keys(std::span<const std::string_view> allowed) const {
   if (!is(Kind::kObject)) fail_expected("an object");
-  for (std::size_t i = 0; i < node_->keys.size(); ++i) {
-    if (std::find(allowed.begin(), allowed.end(), node_->keys[i]) == allowed.end()) {
-      item(i).fail_unknown("key", node_->keys[i], allowed);
+  const std::vector<std::string>& keys = node_->keys();
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (std::find(allowed.begin(), allowed.end(), keys[i]) == allowed.end()) {
+      item(i).fail_unknown("key", keys[i], allowed);
     }
   }
 }
 
 std::optional<Cursor> Cursor::find(std::string_view key) const {
-  const Node* found = node_->find(key);
+  const Node* found = is(Kind::kObject) ? node_->find(key) : nullptr;
   return found ? std::optional(Cursor(*document_, *found)) : std::nullopt;
 }
 
@@ -93,32 +98,44 @@ Cursor Cursor::require(std::string_view key, const std::string& why) const {
   return *found;
 }
 
-void Cursor::expect_array(std::size_t least, std::size_t most, const std::string& what) const {
+void Cursor::expect_array(std::size_t least, std::size_t most, std::string_view what) const {
   if (!is(Kind::kArray) || size() < least || size() > most) fail_expected(what);
 }
 
-double Cursor::number(double least, double most) const {
+Cursor Cursor::item(std::size_t i) const {
+  if (level_ == Level::kRow) return {*this, Level::kNumber, first_ + i};
+  if (!node_->is_flat()) return {*document_, node_->items()[i]};
+  const std::size_t row = node_->flat().row;
+  return row == 0 ? Cursor(*this, Level::kNumber, i) : Cursor(*this, Level::kRow, i * row);
+}
+
+double Cursor::number() const {
   if (!is(Kind::kNumber)) fail_expected("a number");
-  if (!(node_->number >= least && node_->number <= most)) {
-    fail(fmt::format("{} is out of range; expected {} to {}", number_text(node_->number), number_text(least),
+  return level_ == Level::kNumber ? node_->flat().numbers[first_] : node_->number();
+}
+
+double Cursor::number(double least, double most) const {
+  const double value = number();
+  if (!(value >= least && value <= most)) {
+    fail(fmt::format("{} is out of range; expected {} to {}", number_text(value), number_text(least),
                      number_text(most)));
   }
-  return node_->number;
+  return value;
 }
 
 int Cursor::integer(int least, int most) const {
-  if (is(Kind::kNumber) && node_->number != std::trunc(node_->number)) fail_expected("a whole number");
+  if (is(Kind::kNumber) && number() != std::trunc(number())) fail_expected("a whole number");
   return static_cast<int>(number(least, most));
 }
 
 bool Cursor::boolean() const {
   if (!is(Kind::kBool)) fail_expected("true or false");
-  return node_->boolean;
+  return node_->boolean();
 }
 
 const std::string& Cursor::string() const {
   if (!is(Kind::kString)) fail_expected("a string");
-  return node_->text;
+  return node_->text();
 }
 
 const std::string& Cursor::name(const std::string& what) const {

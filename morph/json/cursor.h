@@ -2,11 +2,13 @@
 // Reading a JSON tree with types, ranges and messages that name the place.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "morph/json/json.h"
 
@@ -25,14 +27,13 @@ class Cursor {
   explicit Cursor(const Document& document) : Cursor(document, document.root) {}
   Cursor(const Document& document, const Node& node) : document_(&document), node_(&node) {}
 
-  const Node& node() const noexcept { return *node_; }
-  bool is(Kind kind) const noexcept { return node_->is(kind); }
+  bool is(Kind kind) const noexcept { return kind == this->kind(); }
   std::string pointer() const;
 
   /// @throws Error kBadInput "file: pointer: message".
   [[noreturn]] void fail(const std::string& message) const;
   /// "expected <what>, found <this>".
-  [[noreturn]] void fail_expected(const std::string& what) const;
+  [[noreturn]] void fail_expected(std::string_view what) const;
 
   // Objects.
   /// Refuses keys that are not `allowed`, with the nearest one that is.
@@ -43,11 +44,12 @@ class Cursor {
 
   // Arrays.
   /// @param what  names what is expected, for the message.
-  void expect_array(std::size_t least, std::size_t most, const std::string& what) const;
-  std::size_t size() const noexcept { return node_->items.size(); }
-  Cursor item(std::size_t i) const { return {*document_, node_->items[i]}; }
+  void expect_array(std::size_t least, std::size_t most, std::string_view what) const;
+  std::size_t size() const noexcept { return level_ == Level::kNode ? node_->size() : node_->flat().row; }
+  Cursor item(std::size_t i) const;
 
   // Scalars.
+  double number() const;
   double number(double least, double most) const;
   int integer(int least, int most) const;
   bool boolean() const;
@@ -70,11 +72,24 @@ class Cursor {
   }
 
  private:
+  /// What of its node the cursor stands for: in a flat array, rows and numbers are not nodes.
+  enum class Level : std::uint8_t { kNode, kRow, kNumber };
+
+  Cursor(const Cursor& array, Level level, std::size_t first)
+      : document_(array.document_), node_(array.node_), first_(first), level_(level) {}
+
+  Kind kind() const noexcept {
+    if (level_ == Level::kNode) return node_->kind();
+    return level_ == Level::kRow ? Kind::kArray : Kind::kNumber;
+  }
+  std::string description() const;
   [[noreturn]] void fail_unknown(const std::string& what, std::string_view found,
                                  std::span<const std::string_view> allowed) const;
 
   const Document* document_;
   const Node* node_;
+  std::size_t first_ = 0;  ///< of the flat array: the number, or the first one of the row
+  Level level_ = Level::kNode;
 };
 
 }  // namespace morphkit::json

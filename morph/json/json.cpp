@@ -10,72 +10,6 @@
 
 namespace morphkit::json {
 
-Node Node::string(std::string value) {
-  Node node;
-  node.kind = Kind::kString;
-  node.text = std::move(value);
-  return node;
-}
-
-Node Node::of_number(double value) {
-  Node node;
-  node.kind = Kind::kNumber;
-  node.number = value;
-  return node;
-}
-
-Node Node::of_bool(bool value) {
-  Node node;
-  node.kind = Kind::kBool;
-  node.boolean = value;
-  return node;
-}
-
-Node Node::array() {
-  Node node;
-  node.kind = Kind::kArray;
-  return node;
-}
-
-Node Node::object() {
-  Node node;
-  node.kind = Kind::kObject;
-  return node;
-}
-
-const Node* Node::find(std::string_view key) const noexcept {
-  const auto it = std::find(keys.begin(), keys.end(), key);
-  return it == keys.end() ? nullptr : &items[static_cast<std::size_t>(it - keys.begin())];
-}
-
-void Node::set(std::string key, Node value) {
-  keys.push_back(std::move(key));
-  items.push_back(std::move(value));
-}
-
-bool same_value(const Node& a, const Node& b) {
-  if (a.kind != b.kind || a.items.size() != b.items.size()) return false;
-  switch (a.kind) {
-    case Kind::kNull:
-      return true;
-    case Kind::kBool:
-      return a.boolean == b.boolean;
-    case Kind::kNumber:
-      return a.number == b.number;
-    case Kind::kString:
-      return a.text == b.text;
-    case Kind::kArray:
-      return std::equal(a.items.begin(), a.items.end(), b.items.begin(), same_value);
-    case Kind::kObject:
-      break;
-  }
-  for (std::size_t i = 0; i < a.items.size(); ++i) {
-    const Node* other = b.find(a.keys[i]);
-    if (!other || !same_value(a.items[i], *other)) return false;
-  }
-  return true;
-}
-
 namespace {
 
 /// "file:line:column" of a byte; columns count code points from 1.
@@ -130,22 +64,22 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   Node take() { return std::move(root_); }
 
-  bool null() override { return add({}); }
-  bool boolean(bool value) override { return add(Node::of_bool(value)); }
-  bool number_integer(number_integer_t value) override { return add(Node::of_number(static_cast<double>(value))); }
-  bool number_unsigned(number_unsigned_t value) override { return add(Node::of_number(static_cast<double>(value))); }
-  bool number_float(number_float_t value, const string_t&) override { return add(Node::of_number(value)); }
-  bool string(string_t& value) override { return add(Node::string(std::move(value))); }
+  bool null() override { return attach({}); }
+  bool boolean(bool value) override { return attach(Node::of_bool(value)); }
+  bool number_integer(number_integer_t value) override { return number(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return number(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t&) override { return number(value); }
+  bool string(string_t& value) override { return attach(Node::string(std::move(value))); }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return open(Node::object()); }
-  bool start_array(std::size_t) override { return open(Node::array()); }
+  bool start_array(std::size_t) override { return open(next_array()); }
   bool end_array() override { return close(); }
   bool end_object() override {
     refuse_repeated_keys();
     return close();
   }
   bool key(string_t& value) override {
-    open_.back()->keys.push_back(std::move(value));
+    open_.back().key = std::move(value);
     return true;
   }
 
@@ -165,54 +99,91 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  Node& attach(Node node) {
-    if (++values_ > kMaxValues) fail("", fmt::format("more than {} values; this is no project", kMaxValues));
-    if (open_.empty()) return root_ = std::move(node);
-    open_.back()->items.push_back(std::move(node));
-    return open_.back()->items.back();
-  }
+  /// A container whose end is still to come, and the key of its next value.
+  struct Open {
+    Node node;
+    std::string key;
+  };
 
-  bool add(Node node) {
-    attach(std::move(node));
-    return true;
+  bool number(double value) { return attach(Node::of_number(value)); }
+
+  bool attach(Node node) {
+    count_value();
+    return put(std::move(node));
   }
 
   bool open(Node node) {
-    // An open node is the last item of its parent, so the parent's vector does not move while it is open.
     if (open_.size() >= kMaxDepth) {
       fail(open_pointer(), fmt::format("nested more than {} deep; a project never is", kMaxDepth));
     }
-    open_.push_back(&attach(std::move(node)));
+    count_value();
+    open_.push_back({std::move(node), {}});
     return true;
   }
 
   bool close() {
+    Node node = std::move(open_.back().node);
     open_.pop_back();
+    return put(std::move(node));
+  }
+
+  /// Puts a whole value into the container around it.
+  bool put(Node node) {
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return true;
+    }
+    auto& [parent, key] = open_.back();
+    if (parent.is(Kind::kObject)) {
+      count_nodes(1);
+      parent.set(std::move(key), std::move(node));
+    } else if (!parent.absorb(node)) {
+      count_nodes(parent.is_flat() ? parent.size() + 1 : 1);
+      parent.mutable_items().push_back(std::move(node));
+    } else if (node.is(Kind::kArray)) {
+      spare_ = std::move(node);
+    }
     return true;
   }
 
+  /// An empty array. Rows of numbers leave their memory to the next row.
+  Node next_array() {
+    if (!spare_.is(Kind::kArray)) return Node::array();
+    spare_.clear();
+    return std::exchange(spare_, {});
+  }
+
+  void count_value() {
+    if (++values_ > kMaxValues) fail("", fmt::format("more than {} values; this is no project", kMaxValues));
+  }
+  void count_nodes(std::size_t more) {
+    nodes_ += more;
+    if (nodes_ > kMaxNodes) {
+      fail("", fmt::format("more than {} values outside of lists of numbers; this is no project", kMaxNodes));
+    }
+  }
+
   void refuse_repeated_keys() const {
-    std::vector<std::string_view> keys(open_.back()->keys.begin(), open_.back()->keys.end());
+    const Node& object = open_.back().node;
+    std::vector<std::string_view> keys(object.keys().begin(), object.keys().end());
     std::sort(keys.begin(), keys.end());
     const auto twice = std::adjacent_find(keys.begin(), keys.end());
     if (twice == keys.end()) return;
-    fail(parent_pointer() + pointer_token(*twice),
+    fail(open_pointer() + pointer_token(*twice),
          fmt::format("the key {} occurs twice here; remove one", shown(*twice)));
   }
 
-  std::string pointer(std::size_t levels, bool at_next) const {
+  std::string pointer(std::size_t levels) const {
     std::string result;
     for (std::size_t i = 0; i < levels; ++i) {
-      const Node& node = *open_[i];
-      const std::size_t index = node.items.size() - (at_next && i + 1 == levels ? 0 : 1);
-      result += node.is(Kind::kObject) ? pointer_token(node.keys.back()) : fmt::format("/{}", index);
+      const auto& [node, key] = open_[i];
+      result += node.is(Kind::kObject) ? pointer_token(key) : fmt::format("/{}", node.size());
     }
     return result;
   }
   /// The pointer of the innermost open container, or of the next value in it.
-  std::string parent_pointer() const { return pointer(open_.size() - 1, false); }
-  std::string open_pointer() const { return open_.empty() ? "" : parent_pointer(); }
-  std::string next_pointer() const { return pointer(open_.size(), true); }
+  std::string open_pointer() const { return open_.empty() ? "" : pointer(open_.size() - 1); }
+  std::string next_pointer() const { return pointer(open_.size()); }
 
   [[noreturn]] void fail(const std::string& pointer, const std::string& message) const {
     throw Error(ErrorCode::kBadInput, pointer.empty() ? file_ : file_ + ": " + pointer, message);
@@ -220,9 +191,9 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   const std::string& text_;
   const std::string& file_;
-  Node root_;
-  std::vector<Node*> open_;
-  std::size_t values_ = 0;
+  Node root_, spare_;
+  std::vector<Open> open_;
+  std::size_t values_ = 0, nodes_ = 0;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -38,21 +39,23 @@ std::size_t utf8_length(std::string_view text) {
 /// Walks valid JSON text together with its tree.
 class Locator {
  public:
-  explicit Locator(const std::string& text) : text_(text) {}
+  explicit Locator(const std::string& text, std::size_t position = 0) : text_(text), position_(position) {}
 
   void value(Node& node) {
     space();
-    node.begin = node.key_begin = position_;
+    node.begin = node.key_begin = place();
     node.fresh = false;
     if (node.is(Kind::kString)) {
       string();
+    } else if (node.is_flat()) {
+      brackets();
     } else if (node.is_container()) {
       container(node);
     } else {
       position_ = text_.find_first_of(" \t\r\n,]}", position_);
       if (position_ == std::string::npos) position_ = text_.size();
     }
-    node.end = position_;
+    node.end = place();
   }
 
  private:
@@ -64,11 +67,20 @@ class Locator {
     ++position_;
   }
 
+  /// A flat array: numbers and the brackets around them.
+  void brackets() {
+    std::size_t depth = 0;
+    do {
+      position_ = text_.find_first_of("[]", position_);
+      text_[position_++] == '[' ? ++depth : --depth;
+    } while (depth > 0);
+  }
+
   void container(Node& node) {
     ++position_;
-    for (Node& item : node.items) {
+    for (Node& item : node.mutable_items()) {
       space();
-      const std::size_t key_begin = position_;
+      const std::uint32_t key_begin = place();
       if (node.is(Kind::kObject)) {
         string();
         space();
@@ -83,8 +95,10 @@ class Locator {
     ++position_;  // the closing bracket
   }
 
+  std::uint32_t place() const { return static_cast<std::uint32_t>(position_); }
+
   const std::string& text_;
-  std::size_t position_ = 0;
+  std::size_t position_;
 };
 
 class Writer {
@@ -94,12 +108,13 @@ class Writer {
   /// @param indent  of the line where the value starts.
   /// @param column  where it starts on that line.
   std::string value(const Node& node, std::size_t indent, std::size_t column) const {
-    if (!node.fresh) return node.is_container() ? spliced(node) : piece(node.begin, node.end);
+    if (!node.fresh) return spliced(node);
     if (!node.is_container()) return scalar(node);
-    if (node.items.empty()) return node.is(Kind::kArray) ? "[]" : "{}";
-    if (node.model && !node.model->items.empty()) return imitated(node, indent);
-    if (!node.expand && node.per_line == 0) {
-      std::string line = flat(node);
+    if (node.size() == 0) return node.is(Kind::kArray) ? "[]" : "{}";
+    const Hints& hints = node.hints();
+    if (hints.model && hints.model->size() > 0) return imitated(node, indent);
+    if (!hints.expand && hints.per_line == 0) {
+      std::string line = on_line(node);
       if (column + line.size() < kColumns && line.find('\n') == std::string::npos) return line;
     }
     return expanded(node, indent);
@@ -109,13 +124,13 @@ class Writer {
   std::string piece(std::size_t begin, std::size_t end) const { return original_.substr(begin, end - begin); }
 
   static std::string scalar(const Node& node) {
-    switch (node.kind) {
+    switch (node.kind()) {
       case Kind::kBool:
-        return node.boolean ? "true" : "false";
+        return node.boolean() ? "true" : "false";
       case Kind::kNumber:
-        return number_text(node.number);
+        return number_text(node.number());
       case Kind::kString:
-        return quote(node.text);
+        return quote(node.text());
       default:
         return "null";
     }
@@ -125,7 +140,7 @@ class Writer {
   std::string spliced(const Node& node) const {
     std::string result;
     std::size_t position = node.begin;
-    for (const Node& item : node.items) {
+    for (const Node& item : node.items()) {
       result += piece(position, item.begin);
       // Finding the start of the line costs its length, so this is done only where something is laid out anew.
       const bool laid_out = item.fresh && item.is_container();
@@ -137,52 +152,71 @@ class Writer {
 
   /// Items joined with the spacing that the container had before its items changed.
   std::string imitated(const Node& node, std::size_t indent) const {
-    const std::vector<Node>& before = node.model->items;
-    const std::string lead = piece(node.model->begin + 1, before.front().key_begin);
-    const std::string tail = piece(before.back().end, node.model->end - 1);
+    const Node& model = *node.hints().model;
+    const std::vector<Node>& before = model.items();
+    const std::string lead = piece(model.begin + 1, before.front().key_begin);
+    const std::string tail = piece(before.back().end, model.end - 1);
     const std::string separator =
         before.size() > 1 ? piece(before[0].end, before[1].key_begin) : "," + (lead.empty() ? " " : lead);
     const std::size_t newline = lead.rfind('\n');
     const std::size_t inner = newline == std::string::npos ? indent : lead.size() - newline - 1;
     std::string result = (node.is(Kind::kArray) ? "[" : "{") + lead;
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
+    for (std::size_t i = 0; i < node.size(); ++i) {
       if (i > 0) result += separator;
       const std::string key = key_text(node, i);
-      result += key + value(node.items[i], inner, inner + key.size());
+      result += key + item_value(node, i, inner, inner + key.size());
     }
     return result + tail + (node.is(Kind::kArray) ? "]" : "}");
   }
 
   std::string key_text(const Node& node, std::size_t i) const {
     if (node.is(Kind::kArray)) return "";
-    const Node& item = node.items[i];
+    const Node& item = node.items()[i];
     // An item with a place in the original keeps the spelling of its key and the spacing after it.
-    return item.end > 0 ? piece(item.key_begin, item.begin) : quote(node.keys[i]) + ": ";
+    return item.end > 0 ? piece(item.key_begin, item.begin) : quote(node.keys()[i]) + ": ";
   }
 
-  std::string flat(const Node& node) const {
+  std::string on_line(const Node& node) const {
     if (!node.fresh || !node.is_container()) return value(node, 0, 0);
     std::string result = node.is(Kind::kArray) ? "[" : "{";
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
+    for (std::size_t i = 0; i < node.size(); ++i) {
       if (i > 0) result += ", ";
-      if (node.is(Kind::kObject)) result += quote(node.keys[i]) + ": ";
-      result += flat(node.items[i]);
+      if (node.is(Kind::kObject)) result += quote(node.keys()[i]) + ": ";
+      result += item_on_line(node, i);
     }
     return result + (node.is(Kind::kArray) ? "]" : "}");
+  }
+
+  std::string item_on_line(const Node& node, std::size_t i) const {
+    return node.is_flat() ? flat_item(node.flat(), i) : on_line(node.items()[i]);
+  }
+
+  static std::string flat_item(const Flat& flat, std::size_t i) {
+    if (flat.row == 0) return number_text(flat.numbers[i]);
+    std::string result;
+    for (std::size_t k = 0; k < flat.row; ++k) {
+      result += k == 0 ? "[" : ", ";
+      result += number_text(flat.numbers[i * flat.row + k]);
+    }
+    return result + "]";
+  }
+
+  std::string item_value(const Node& node, std::size_t i, std::size_t indent, std::size_t column) const {
+    return node.is_flat() ? flat_item(node.flat(), i) : value(node.items()[i], indent, column);
   }
 
   std::string expanded(const Node& node, std::size_t indent) const {
     const std::string start = std::string(1, '\n').append(indent + kIndent, ' ');
     const std::string end = std::string(1, '\n').append(indent, ' ');
     const bool is_object = node.is(Kind::kObject);
-    if (!is_object && !node.expand) return "[" + start + filled(node, start) + end + "]";
+    if (!is_object && !node.hints().expand) return "[" + start + filled(node, start) + end + "]";
     std::string result = is_object ? "{" : "[";
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const std::string key = is_object ? quote(node.keys[i]) + ": " : "";
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const std::string key = is_object ? quote(node.keys()[i]) + ": " : "";
       if (i > 0) result += ',';
       result += start;
       result += key;
-      result += value(node.items[i], indent + kIndent, indent + kIndent + key.size());
+      result += item_value(node, i, indent + kIndent, indent + kIndent + key.size());
     }
     return result + end + (is_object ? "}" : "]");
   }
@@ -191,10 +225,11 @@ class Writer {
   std::string filled(const Node& node, const std::string& start) const {
     std::string result;
     std::size_t column = start.size() - 1;
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const std::string item = flat(node.items[i]);
+    const std::size_t per_line = node.hints().per_line;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const std::string item = item_on_line(node, i);
       if (i > 0) {
-        const bool fits = node.per_line > 0 ? i % node.per_line != 0 : column + item.size() + 3 <= kColumns;
+        const bool fits = per_line > 0 ? i % per_line != 0 : column + item.size() + 3 <= kColumns;
         result += fits ? ", " : "," + start;
         column = fits ? column + 2 : start.size() - 1;
       }
@@ -252,6 +287,14 @@ std::string quote(std::string_view value) {
 
 void locate(Node& root, const std::string& text) {
   Locator(text).value(root);
+}
+
+void locate_items(Node& node, const std::string& text) {
+  if (!node.is_flat()) return;
+  const std::uint32_t key_begin = node.key_begin;
+  node.mutable_items();
+  Locator(text, node.begin).value(node);
+  node.key_begin = key_begin;
 }
 
 std::string write(const Node& root, const std::string& original) {

@@ -8,7 +8,7 @@ namespace morphkit::project {
 json::Node build(const Project& project, bool defaults) {
   static const Project kUsual;
   json::Node node = write_object(project, kUsual, defaults);
-  node.expand = true;
+  node.mutable_hints().expand = true;
   return node;
 }
 

@@ -37,7 +37,6 @@ Node point_node(const cv::Point2d& point) {
 
 Node points_node(const Points& points) {
   Node node = Node::array();
-  node.items.reserve(points.size());
   for (const cv::Point2d& point : points) node.push(point_node(point));
   return node;
 }
@@ -96,15 +95,15 @@ std::string sentence_of(std::string_view sentence, const Facts& facts, bool is_n
 }
 
 std::string default_text(const Node& value) {
-  switch (value.kind) {
+  switch (value.kind()) {
     case Kind::kString:
-      return "`" + value.text + "`";
+      return "`" + value.text() + "`";
     case Kind::kBool:
-      return value.boolean ? "`true`" : "`false`";
+      return value.boolean() ? "`true`" : "`false`";
     case Kind::kNumber:
-      return json::number_text(value.number);
+      return json::number_text(value.number());
     default:
-      return value.items.empty() ? "none" : json::write(value, "");
+      return value.size() == 0 ? "none" : json::write(value, "");
   }
 }
 
@@ -187,7 +186,7 @@ Node Codec<std::vector<cv::Point>>::schema(const Facts&) {
 
 void VersionCodec::read(const json::Cursor& at, const Project&, const Facts&) {
   if (!at.is(Kind::kNumber)) at.fail_expected("the version, a number");
-  const double value = at.node().number;
+  const double value = at.number();
   if (value > 1)
     at.fail(fmt::format("version {} is newer than this program, which reads version 1", json::number_text(value)));
   if (value != 1) at.fail(fmt::format("there is no version {}; expected 1", json::number_text(value)));
@@ -229,7 +228,7 @@ void read_vertices(const json::Cursor& at, Mesh& mesh, SideIndex side) {
 Node write_vertices(const Mesh& mesh, SideIndex side) {
   if (mesh.vertices[side].empty()) return Node::string("uniform");
   Node node = points_node(mesh.vertices[side]);
-  node.per_line = static_cast<std::size_t>(mesh.columns);
+  node.mutable_hints().per_line = static_cast<std::size_t>(mesh.columns);
   return node;
 }
 

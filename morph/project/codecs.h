@@ -148,9 +148,8 @@ struct Codec<std::vector<T>> {
       return form.name();
     }();
     json::Node node = json::Node::array();
-    node.expand = true;
-    node.identity = kIdentity;
-    node.items.reserve(value.size());
+    node.mutable_hints().expand = true;
+    node.mutable_hints().identity = kIdentity;
     for (const T& item : value) node.push(Codec<T>::write(item, {}, defaults));
     return node;
   }

@@ -78,19 +78,19 @@ class SchemaForm : public Form<SchemaForm<Owner>, const Owner> {
 
   const json::Node& required() const noexcept { return required_; }
   void move_to(json::Node& properties) {
-    for (std::size_t i = 0; i < properties_.items.size(); ++i) {
-      properties.set(properties_.keys[i], std::move(properties_.items[i]));
+    for (std::size_t i = 0; i < properties_.size(); ++i) {
+      properties.set(properties_.keys()[i], std::move(properties_.mutable_items()[i]));
     }
   }
   json::Node take() {
     json::Node node = json::Node::object();
     node.set("type", json::Node::string("object"));
-    if (!required_.items.empty()) node.set("required", std::move(required_));
+    if (required_.size() > 0) node.set("required", std::move(required_));
     node.set("additionalProperties", json::Node::of_bool(false));
-    properties_.expand = true;
+    properties_.mutable_hints().expand = true;
     node.set("properties", std::move(properties_));
-    if (!one_of_.items.empty()) node.set("oneOf", std::move(one_of_));
-    node.expand = true;
+    if (one_of_.size() > 0) node.set("oneOf", std::move(one_of_));
+    node.mutable_hints().expand = true;
     return node;
   }
 

@@ -55,11 +55,11 @@ class Writer : public Form<Writer<Owner>, const Owner> {
     }
     if (!defaults_ && facts.needed.empty() && is_usual<AnyCodec>(value, access)) return;
     json::Node node = AnyCodec::write(value, facts, defaults_);
-    const bool says_nothing = node.is(json::Kind::kObject) && node.items.empty();
+    const bool says_nothing = node.is(json::Kind::kObject) && node.size() == 0;
     if (says_nothing && !defaults_ && facts.needed.empty()) return;
-    if (facts.expand) node.expand = true;
+    if (facts.expand) node.mutable_hints().expand = true;
     using T = std::remove_const_t<typename Writer::template Member<Access>>;
-    if constexpr (Spelled<AnyCodec>) node.same = &same_spelled<AnyCodec, T>;
+    if constexpr (Spelled<AnyCodec>) node.mutable_hints().same = &same_spelled<AnyCodec, T>;
     node_.set(std::string(name), std::move(node));
   }
   template <typename Access>
@@ -73,7 +73,7 @@ class Writer : public Form<Writer<Owner>, const Owner> {
     json::Node node = json::Node::object();
     Writer<Owner> inner(value_, usual_, defaults_, node);
     body(inner);
-    if (defaults_ || !node.items.empty()) node_.set(std::string(name), std::move(node));
+    if (defaults_ || node.size() > 0) node_.set(std::string(name), std::move(node));
   }
   template <typename T, typename Access, typename Body>
   void alternative(Of<T>, std::string_view name, const Access& access, std::string_view, const Body& body) {

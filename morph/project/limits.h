@@ -9,7 +9,7 @@ namespace morphkit::project {
 inline constexpr std::size_t kMaxFeatures = 100'000;
 inline constexpr std::size_t kMaxPoints = 100'000;  ///< of one side of a curve; also keys of an easing
 inline constexpr int kMaxMeshSize = 1'000;          ///< vertices, each axis of the mesh
-inline constexpr int kMaxMeshVertices = 500'000;    ///< of one side; both sides stay below json::kMaxValues
+inline constexpr int kMaxMeshVertices = 500'000;    ///< of one side; both stay below json::kMaxValues
 inline constexpr double kMaxCoordinate = 1e6;       ///< px
 inline constexpr int kMaxSize = 65'536;             ///< px, each axis of the output
 inline constexpr double kMaxArea = 1 << 30;         ///< px

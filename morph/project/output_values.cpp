@@ -122,7 +122,7 @@ std::optional<Rate> parse_rate(const std::string& text) {
 
 void Codec<Rate>::read(const json::Cursor& at, Rate& value, const Facts&) {
   if (at.is(Kind::kNumber)) {
-    const double number = at.node().number;
+    const double number = at.number();
     if (const auto rate = named_rate(number)) {
       value = *rate;
       return;

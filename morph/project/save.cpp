@@ -11,12 +11,13 @@
 
 namespace morphkit::project {
 std::string to_text(const Project& project) {
-  const json::Node minimal = build(project, false);
+  json::Node minimal = build(project, false);
   if (!project.original) return json::write(minimal, "");
   const std::string name = project.file.string();
   json::Document original{name, json::parse(*project.original, name)};
   json::locate(original.root, *project.original);
-  return json::write(json::merge(original, build(project, true), minimal), *project.original);
+  json::Node full = build(project, true);
+  return json::write(json::merge(original, *project.original, full, minimal), *project.original);
 }
 
 void save(const Project& project, const std::filesystem::path& file, bool overwrite) {

@@ -18,10 +18,10 @@ std::string schema_text() {
        "Two pictures, what corresponds to what, how the change is timed, and what comes out. Coordinates are pixels, x "
        "right, y down, from the top left corner of the picture; the centre of its first pixel is [0.5, 0.5].");
   json::Node form = object_schema<Project>();
-  for (std::size_t i = 0; i < form.items.size(); ++i) node.set(form.keys[i], std::move(form.items[i]));
+  for (std::size_t i = 0; i < form.size(); ++i) node.set(form.keys()[i], std::move(form.mutable_items()[i]));
   definitions.set("timing", Codec<motion::Timing>::full_schema());
   node.set("$defs", std::move(definitions));
-  node.expand = true;
+  node.mutable_hints().expand = true;
   return json::write(node, "");
 }
 

@@ -35,10 +35,10 @@ Node value_of(std::string_view text) {
 /// The index in a list of the item that has the id.
 std::size_t index_of(const Node& list, std::string_view id, std::string_view path) {
   std::vector<std::string_view> ids;
-  for (const Node& item : list.items) {
+  for (const Node& item : list.items()) {
     const Node* own = item.find("id");
-    ids.push_back(own ? std::string_view(own->text) : "");
-    if (own && own->text == id) return ids.size() - 1;
+    ids.push_back(own ? std::string_view(own->text()) : "");
+    if (own && own->text() == id) return ids.size() - 1;
   }
   const auto meant = nearest(id, ids);
   throw Error(ErrorCode::kBadInput, std::string(path),
@@ -55,16 +55,14 @@ struct Place {
   void open() const {
     if (!brief->is(Kind::kString) || !full || !full->is(Kind::kObject)) return;
     Node object = Node::object();
-    object.set(full->keys.front(), *brief);
+    object.set(full->keys().front(), *brief);
     *brief = std::move(object);
   }
 
   Place key(std::string_view name) const {
     const Node* inner = full ? full->find(name) : nullptr;
-    const auto found = std::find(brief->keys.begin(), brief->keys.end(), name);
-    const auto index = static_cast<std::size_t>(found - brief->keys.begin());
-    if (found == brief->keys.end()) brief->set(std::string(name), Node::object());
-    return {&brief->items[index], inner};
+    if (!brief->find(name)) brief->set(std::string(name), Node::object());
+    return {brief->find(name), inner};
   }
 };
 
@@ -80,7 +78,7 @@ Place find_place(Place at, std::string_view path) {
     if (!enters) continue;
     const std::size_t id_end = std::min(rest.find('.'), rest.size());
     const std::size_t index = index_of(*at.brief, rest.substr(0, id_end), path);
-    at = {&at.brief->items[index], at.full ? &at.full->items[index] : nullptr};
+    at = {&at.brief->mutable_items()[index], at.full ? &at.full->items()[index] : nullptr};
     rest.remove_prefix(std::min(id_end + 1, rest.size()));
   } while (!rest.empty());
   return at;

@@ -187,7 +187,7 @@ Node parameters_schema(Node ease, bool must_name) {
   if (must_name) {
     describe(own, Of<Ease>{});
     own.move_to(properties);
-    for (const Node& name : own.required().items) required.push(name);
+    for (const Node& name : own.required().items()) required.push(name);
   }
   SchemaForm<Timing> all;
   describe(all, Of<Timing>{});
@@ -242,8 +242,8 @@ Node Codec<Timing>::write(const Timing& timing, const Facts&, bool defaults) {
   const Timing usual{timing.easing, 0, 1 - timing.delay};
   Writer<Timing> writer(timing, usual, defaults, node);
   describe(writer, Of<Timing>{});
-  const bool name_says_all = node.items.size() == 1;
-  return name_says_all ? node.items.front() : node;
+  const bool name_says_all = node.size() == 1;
+  return name_says_all ? node.items().front() : node;
 }
 
 Node Codec<Timing>::schema(const Facts&) {
@@ -266,9 +266,10 @@ Node Codec<Timing>::full_schema() {
         },
         easing);
   }
-  any.items.insert(any.items.begin(), parameters_schema<motion::LinearEase>(strings_schema(plain), false));
-  any.items.insert(any.items.begin(), strings_schema(names));
-  any.expand = true;
+  std::vector<Node>& items = any.mutable_items();
+  items.insert(items.begin(), parameters_schema<motion::LinearEase>(strings_schema(plain), false));
+  items.insert(items.begin(), strings_schema(names));
+  any.mutable_hints().expand = true;
   node.set("anyOf", std::move(any));
   return node;
 }

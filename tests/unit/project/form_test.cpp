@@ -84,10 +84,10 @@ TEST(Form, RefusesWithThePlaceAndTheReason) {
 
 TEST(Form, WritesWhatIsNotUsual) {
   const json::Node brief = write({3, "s", {{}, 0.5}}, false);
-  EXPECT_EQ(brief.keys, (std::vector<std::string>{"name", "stiffness"}));
-  EXPECT_EQ(brief.find("stiffness")->keys, (std::vector<std::string>{"stretch"}));
+  EXPECT_EQ(brief.keys(), (std::vector<std::string>{"name", "stiffness"}));
+  EXPECT_EQ(brief.find("stiffness")->keys(), (std::vector<std::string>{"stretch"}));
   const json::Node full = write({3, "s", {{}, 0.5}}, true);
-  EXPECT_EQ(full.keys, (std::vector<std::string>{"coils", "name", "stiffness"}));
+  EXPECT_EQ(full.keys(), (std::vector<std::string>{"coils", "name", "stiffness"}));
 }
 
 TEST(Form, ReadsBackWhatItWrites) {
@@ -99,12 +99,12 @@ TEST(Form, ReadsBackWhatItWrites) {
 TEST(Form, StatesTypesAndRangesInTheSchema) {
   const json::Node schema = object_schema<Spring>();
   const json::Node* keys = schema.find("properties");
-  EXPECT_EQ(keys->keys, (std::vector<std::string>{"coils", "name", "stiffness"}));
-  EXPECT_EQ(keys->find("coils")->find("type")->text, "integer");
-  EXPECT_EQ(keys->find("coils")->find("maximum")->number, 9);
-  EXPECT_EQ(keys->find("stiffness")->find("properties")->find("stretch")->find("maximum")->number, 20);
-  EXPECT_EQ(keys->find("coils")->find("description")->text, "number of coils; 1 to 9. Default: 3.");
-  EXPECT_EQ(schema.find("required")->items.at(0).text, "name");
+  EXPECT_EQ(keys->keys(), (std::vector<std::string>{"coils", "name", "stiffness"}));
+  EXPECT_EQ(keys->find("coils")->find("type")->text(), "integer");
+  EXPECT_EQ(keys->find("coils")->find("maximum")->number(), 9);
+  EXPECT_EQ(keys->find("stiffness")->find("properties")->find("stretch")->find("maximum")->number(), 20);
+  EXPECT_EQ(keys->find("coils")->find("description")->text(), "number of coils; 1 to 9. Default: 3.");
+  EXPECT_EQ(schema.find("required")->items().at(0).text(), "name");
 }
 
 TEST(Form, RowsForTheReferencePage) {

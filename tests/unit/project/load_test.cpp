@@ -251,8 +251,10 @@ TEST(Load, HostileSizesEndEarly) {
   for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
   EXPECT_THROW(parse(objects, "deep.json"), Error);
   std::string many = "[0";
-  for (int i = 0; i < 4'000'000; ++i) many += ",0";
-  expect_bad({many + "]", "", "more than 4000000 values"});
+  for (int i = 0; i < 10'000'000; ++i) many += ",0";
+  expect_bad({many + "]", "", "more than 10000000 values"});
+  many.resize(5'000'000);
+  expect_bad({many + ",0,\"\",\"\"" + many.substr(2) + "]", "", "more than 4000000 values outside of lists"});
   std::string repeated = "{";
   for (int i = 0; i < 200'000; ++i) repeated.append("\"").append(std::to_string(i)).append("\":0,");
   expect_bad({repeated + "\"7\":1}", "/7", "occurs twice"});
