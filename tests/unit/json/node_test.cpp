@@ -1,4 +1,4 @@
-// The tree: what lies flat, what that costs, and that flat or not makes no difference to readers and writers.
+// The tree: what lies flat, what that costs, and that flat or not makes no difference.
 
 #include <malloc.h>
 
@@ -11,8 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
-#include "morph/json/cursor.h"
 #include "morph/json/json.h"
 
 namespace {
@@ -109,42 +107,6 @@ TEST(Node, FlatAndTakenApartAreTheSameValue) {
   }
   EXPECT_FALSE(json::same_value(parsed("[1, 2, 3, 4]"), parsed("[[1, 2], [3, 4]]")));
   EXPECT_FALSE(json::same_value(parsed("[[1, 2], [3, 4]]"), parsed("[[1, 2], [3, 5]]")));
-}
-
-TEST(Node, CursorsReadFlatArraysAsAnyOther) {
-  const json::Document document{"f", parsed(R"({"a": [[1, 2], [3, 4]], "b": [5, 6]})")};
-  const json::Cursor rows = *json::Cursor(document).find("a"), row = rows.item(1), number = row.item(0);
-  EXPECT_TRUE(row.is(json::Kind::kArray));
-  EXPECT_EQ(row.size(), 2U);
-  EXPECT_EQ(row.pointer(), "/a/1");
-  EXPECT_EQ(number.number(0, 9), 3);
-  EXPECT_EQ(number.pointer(), "/a/1/0");
-  EXPECT_FALSE(row.find("a"));
-  const json::Cursor six = json::Cursor(document).find("b")->item(1);
-  EXPECT_EQ(six.integer(0, 9), 6);
-  EXPECT_EQ(six.pointer(), "/b/1");
-  try {
-    row.fail_expected("a word");
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "f: /a/1: expected a word, found an array of 2");
-  }
-}
-
-TEST(Node, PlacesOfItemsAreFoundWhenTheyAreNeeded) {
-  const std::string text = "{ \"a\" : [ [1, 2],\n [ 3.50 ,4] ] }";
-  Node root = parsed(text);
-  json::locate(root, text);
-  Node& rows = *root.find("a");
-  ASSERT_TRUE(rows.is_flat());
-  EXPECT_EQ(text.substr(rows.begin, rows.end - rows.begin), "[ [1, 2],\n [ 3.50 ,4] ]");
-  json::locate_items(rows, text);
-  EXPECT_EQ(text.substr(rows.key_begin, 3), "\"a\"");
-  Node& row = rows.mutable_items()[1];
-  EXPECT_EQ(text.substr(row.begin, row.end - row.begin), "[ 3.50 ,4]");
-  json::locate_items(row, text);
-  const Node& number = row.items()[0];
-  EXPECT_EQ(text.substr(number.begin, number.end - number.begin), "3.50");
-  EXPECT_FALSE(number.fresh);
 }
 
 TEST(Node, AMeshCostsFewBytesPerNumber) {

@@ -1,0 +1,33 @@
+#include "base/words.h"
+
+#include <gtest/gtest.h>
+
+namespace morphkit::test {
+namespace {
+
+std::string meant(std::string_view word) {
+  return nearest(word, std::vector<std::string>{"linear", "lanczos", "nearest", "in", "on"}).value_or("");
+}
+
+TEST(Words, LowerChangesLettersOfAsciiOnly) {
+  EXPECT_EQ(lower("AbZ-09 \xC3\x84"), "abz-09 \xC3\x84");
+}
+
+TEST(Words, NearestForgivesInsertedDeletedReplacedAndSwappedLetters) {
+  for (const char* word : {"linear", "linnear", "liear", "linaer", "lineer", "LINEAR"})
+    EXPECT_EQ(meant(word), "linear");
+}
+
+TEST(Words, NearestForgivesAThirdOfTheWordAndAlwaysOneEdit) {
+  EXPECT_EQ(meant("lonczas"), "lanczos");
+  EXPECT_EQ(meant("xxnczas"), "");
+  EXPECT_EQ(meant("ix"), "in");
+  EXPECT_EQ(meant("xy"), "");
+}
+
+TEST(Words, TheFirstOfEqualsWins) {
+  EXPECT_EQ(meant("an"), "in");
+}
+
+}  // namespace
+}  // namespace morphkit::test

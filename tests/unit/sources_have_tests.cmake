@@ -1,0 +1,13 @@
+# Every source of these folders has a test of its name: x.cpp and x_simd.cpp in x_test.cpp (or x_simd_test.cpp).
+foreach(folder base morph/json morph/motion)
+  string(REGEX REPLACE "^morph/" "" mirror "${folder}")
+  file(GLOB_RECURSE sources RELATIVE "${ROOT}/${folder}" "${ROOT}/${folder}/*.cpp")
+  foreach(source IN LISTS sources)
+    string(REGEX REPLACE "[.]cpp$" "" name "${source}")
+    string(REGEX REPLACE "_simd$" "" plain "${name}")
+    set(tests "${ROOT}/tests/unit/${mirror}")
+    if(NOT EXISTS "${tests}/${name}_test.cpp" AND NOT EXISTS "${tests}/${plain}_test.cpp")
+      message(SEND_ERROR "${folder}/${source} has no test tests/unit/${mirror}/${plain}_test.cpp")
+    endif()
+  endforeach()
+endforeach()
