@@ -1,5 +1,5 @@
 # Every source of these folders has a test of its name: x.cpp and x_simd.cpp in x_test.cpp (or x_simd_test.cpp).
-foreach(folder base morph/json morph/motion)
+foreach(folder base morph/json morph/motion warp)
   string(REGEX REPLACE "^morph/" "" mirror "${folder}")
   file(GLOB_RECURSE sources RELATIVE "${ROOT}/${folder}" "${ROOT}/${folder}/*.cpp")
   foreach(source IN LISTS sources)
