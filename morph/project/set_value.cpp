@@ -84,14 +84,28 @@ Place find_place(Place at, std::string_view path) {
   return at;
 }
 
+/// The document with all values in their places.
+Node tree_with(const Project& project, std::span<const Setting> settings, const Node& full) {
+  Node root = build(project, false);
+  for (const Setting& setting : settings) *find_place({&root, &full}, setting.path).brief = value_of(setting.value);
+  return root;
+}
+
+/// All defaults are needed, and their large tree is built, only where a word becomes an object.
+Node tree_with(const Project& project, std::span<const Setting> settings) {
+  try {
+    return tree_with(project, settings, Node::object());
+  } catch (const Error&) {
+    return tree_with(project, settings, build(project, true));
+  }
+}
+
 /// Puts all values into one tree and reads that.
 Project with_values(const Project& project, std::span<const Setting> settings) {
-  Node root = build(project, false);
-  const Node full = build(project, true);
-  for (const Setting& setting : settings) *find_place({&root, &full}, setting.path).brief = value_of(setting.value);
   const std::string& path = settings.back().path;
+  const json::Document document{path, tree_with(project, settings)};
   try {
-    Project changed = read_project({path, root});
+    Project changed = read_project(document);
     changed.file = project.file;
     changed.original = project.original;
     return changed;
