@@ -43,7 +43,7 @@ class Descriptor {
 };
 
 [[noreturn]] void fail(const std::string& place, const std::string& message) {
-  throw Error(ErrorCode::kIo, place, message);
+  throw Error(ErrorKind::kIo, place, message);
 }
 
 [[noreturn]] void fail_errno(const std::string& place, const char* what, int error) {

@@ -17,7 +17,7 @@ namespace morphkit {
 /// A file is there already, and nobody has asked to replace it.
 class FileExists : public Error {
  public:
-  explicit FileExists(std::string place) : Error(ErrorCode::kIo, std::move(place), "already exists") {}
+  explicit FileExists(std::string place) : Error(ErrorKind::kIo, std::move(place), "already exists") {}
 };
 
 /// Reserves a temporary file beside `final_name`; `commit` renames it there. Until then nothing appears under the final

@@ -1,5 +1,6 @@
 #pragma once
-// The one exception type for bad input from people and files. cli/program.cpp turns it into an exit code.
+// The one exception type for bad input from people and files. What a program does about a kind is its own affair:
+// cli/exit_code.h.
 
 #include <stdexcept>
 #include <string>
@@ -7,30 +8,29 @@
 
 namespace morphkit {
 
-/// The program's exit codes; see docs/commands.md.
-enum class ErrorCode {
-  kFailed = 1,    ///< the work failed
-  kUsage = 2,     ///< wrong usage
-  kBadInput = 3,  ///< an input file says something impossible
-  kIo = 4,        ///< could not read or write
-  kInterrupted = 130
+enum class ErrorKind {
+  kBadInput,     ///< an input says something impossible
+  kIo,           ///< could not read or write
+  kUnsupported,  ///< asks for a format or a feature that there is not
+  kFailed,       ///< the work failed
+  kInterrupted   ///< was told to stop
 };
 
 /// what() is "place: message" (or the message alone): the file, the place in it, what is wrong, what would be right.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorCode code, std::string place, std::string message)
+  Error(ErrorKind kind, std::string place, std::string message)
       : std::runtime_error(place.empty() ? message : place + ": " + message),
-        code_(code),
+        kind_(kind),
         place_(std::move(place)),
         message_(std::move(message)) {}
 
-  ErrorCode code() const noexcept { return code_; }
+  ErrorKind kind() const noexcept { return kind_; }
   const std::string& place() const noexcept { return place_; }
   const std::string& message() const noexcept { return message_; }
 
  private:
-  ErrorCode code_;
+  ErrorKind kind_;
   std::string place_;
   std::string message_;
 };

@@ -18,7 +18,7 @@ struct CloseFile {
 };
 
 [[noreturn]] void fail_reading(const std::filesystem::path& file, int error) {
-  throw Error(ErrorCode::kIo, file.string(), fmt::format("cannot be read: {}", std::generic_category().message(error)));
+  throw Error(ErrorKind::kIo, file.string(), fmt::format("cannot be read: {}", std::generic_category().message(error)));
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ struct CloseFile {
 std::string read_file(const std::filesystem::path& file, const char* what, std::size_t most) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw Error(ErrorCode::kIo, file.string(), fmt::format("is a directory; expected a {} file", what));
+    throw Error(ErrorKind::kIo, file.string(), fmt::format("is a directory; expected a {} file", what));
   }
   const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "rb"));
   if (!stream) fail_reading(file, errno);
@@ -38,7 +38,7 @@ std::string read_file(const std::filesystem::path& file, const char* what, std::
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stream.get())) {
     text.append(buffer, count);
     if (text.size() > most) {
-      throw Error(ErrorCode::kBadInput, file.string(),
+      throw Error(ErrorKind::kBadInput, file.string(),
                   fmt::format("larger than {} MB; this is no {}", most >> 20, what));
     }
   }

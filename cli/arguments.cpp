@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
+#include "cli/exit_code.h"
 #include "morph/project/limits.h"
 
 namespace morphkit::cli {
@@ -27,18 +27,17 @@ cv::Size parse_size(const std::string& text, const std::string& option) {
   const auto width = positive_number(whole.substr(0, cross));
   const auto height = cross == std::string::npos ? std::nullopt : positive_number(whole.substr(cross + 1));
   if (!width || !height)
-    throw Error(ErrorCode::kUsage, option, fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
+    throw ArgumentError(option, fmt::format("'{}' is no size; write WIDTHxHEIGHT, as in 1280x720", text));
   const double area = static_cast<double>(*width) * *height;
   if (*width > project::kMaxSize || *height > project::kMaxSize || area > project::kMaxArea)
-    throw Error(ErrorCode::kUsage, option,
-                fmt::format("'{}' is too large; at most {} pixels a side and {:.0f} megapixels in all", text,
-                            project::kMaxSize, project::kMaxArea / 1e6));
+    throw ArgumentError(option, fmt::format("'{}' is too large; at most {} pixels a side and {:.0f} megapixels in all",
+                                            text, project::kMaxSize, project::kMaxArea / 1e6));
   return {*width, *height};
 }
 
 void require_moment(double t) {
   if (t >= 0 && t <= 1) return;
-  throw Error(ErrorCode::kUsage, "-t", fmt::format("{} is no moment; 0 is the source, 1 the destination", t));
+  throw ArgumentError("-t", fmt::format("{} is no moment; 0 is the source, 1 the destination", t));
 }
 
 }  // namespace morphkit::cli

@@ -8,10 +8,10 @@
 namespace morphkit::cli {
 
 /// "1280x720". @param option  that says it, for the message.
-/// @throws Error kUsage if it is no size, or a larger one than a project may ask for.
+/// @throws ArgumentError if it is no size, or a larger one than a project may ask for.
 cv::Size parse_size(const std::string& text, const std::string& option);
 
-/// @throws Error kUsage unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
+/// @throws ArgumentError unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
 void require_moment(double t);
 
 }  // namespace morphkit::cli

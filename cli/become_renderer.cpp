@@ -18,7 +18,7 @@ void become_renderer(const char* const* argv) {
     error = std::error_code(errno, std::generic_category());
   }
   throw Error(
-      ErrorCode::kFailed, renderer.string(),
+      ErrorKind::kFailed, renderer.string(),
       "cannot be started: " + error.message() + "; this part of morphkit renders, and must be installed with it");
 }
 

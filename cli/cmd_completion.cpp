@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/completion_script.h"
+#include "cli/exit_code.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
@@ -33,7 +33,7 @@ int run_completion(const CompletionOptions& options, const CommandShape& program
   } else if (options.shell == "fish") {
     output.print(fish_completion(program));
   } else {
-    throw Error(ErrorCode::kUsage, "completion", fmt::format("unknown shell {}; bash, zsh or fish", options.shell));
+    throw ArgumentError("completion", fmt::format("unknown shell {}; bash, zsh or fish", options.shell));
   }
   return 0;
 }

@@ -17,7 +17,7 @@ struct CompletionOptions {
 
 void add_completion(CommandLine& line, Session& session);
 
-/// @throws Error kUsage for an unknown shell.
+/// @throws ArgumentError for an unknown shell.
 int run_completion(const CompletionOptions& options, const CommandShape& program, Output& output);
 
 }  // namespace morphkit::cli

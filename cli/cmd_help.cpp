@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "base/words.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/command_shape.h"
+#include "cli/exit_code.h"
 #include "cli/man_page.h"
 #include "cli/terminal.h"
 
@@ -37,9 +37,8 @@ int run_help(const CommandLine& line, const HelpOptions& options, Output& output
   const std::optional<std::string> text = line.help(command);
   if (!text) {
     const auto similar = nearest(command, command_names(line.shape()));
-    throw Error(
-        ErrorCode::kUsage, "help",
-        fmt::format("unknown command '{}'{}", command, similar ? fmt::format("; did you mean '{}'?", *similar) : ""));
+    throw ArgumentError("help", fmt::format("unknown command '{}'{}", command,
+                                            similar ? fmt::format("; did you mean '{}'?", *similar) : ""));
   }
   output.print(options.man ? man_page(line, command, *text) : *text);
   return 0;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "base/error.h"
 #include "cli/command.h"
+#include "cli/exit_code.h"
 #include "cli/terminal.h"
 #include "cli/works.h"
 #include "morph/media/quick_size.h"
@@ -58,7 +58,7 @@ void add_info(CommandLine& line, Session& session) {
 
 int tell(const InfoOptions& options, const InfoReader& info_of, Output& output) {
   if (!options.changes.sets.empty() && std::ranges::none_of(options.files, is_project))
-    throw Error(ErrorCode::kUsage, "--set", "goes with a project (*.json); here is none");
+    throw ArgumentError("--set", "goes with a project (*.json); here is none");
   int exit_code = 0;
   Report all = Report::array();
   for (const std::filesystem::path& file : options.files) {
@@ -70,7 +70,7 @@ int tell(const InfoOptions& options, const InfoReader& info_of, Output& output) 
       output.flush();
       output.error(error.what());
       all.push(Report().set("file", file.string()).set("error", error.what()));
-      if (exit_code == 0) exit_code = static_cast<int>(error.code());
+      if (exit_code == 0) exit_code = exit_code_of(error.kind());
     }
   }
   if (options.json) output.line(all.to_json());

@@ -25,9 +25,6 @@ inline constexpr const char* kRenderGroup = "Make";
 inline constexpr const char* kInspectGroup = "Look";
 inline constexpr const char* kHelpGroup = "Start and help";
 
-/// Exit code of commands that found a difference or a fault in what they were asked to judge.
-inline constexpr int kExitDifference = 5;
-
 /// Adds a command with the common options and its examples below the help.
 Options add_command(CommandLine& line, Session& session, const CommandText& text, Action action);
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
+#include "cli/exit_code.h"
 
 namespace morphkit::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kForms = "write e.g. 7, 1-240, 1-240x2, 10- or 1,5,9-12";
 
 [[noreturn]] void fail(const std::string& text, const std::string& message) {
-  throw Error(ErrorCode::kUsage, fmt::format("--frames {}", text), message);
+  throw ArgumentError(fmt::format("--frames {}", text), message);
 }
 
 /// Takes digits from the front of `rest`.

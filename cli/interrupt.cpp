@@ -51,7 +51,7 @@ bool interrupted() noexcept {
 }
 
 void stop_if_interrupted(const std::string& what) {
-  if (interrupted()) throw Error(ErrorCode::kInterrupted, "", "interrupted; " + what);
+  if (interrupted()) throw Error(ErrorKind::kInterrupted, "", "interrupted; " + what);
 }
 
 }  // namespace morphkit::cli

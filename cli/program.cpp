@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "cli/cmd_bench.h"
 #include "cli/cmd_check.h"
 #include "cli/cmd_compare.h"
@@ -29,6 +28,7 @@
 #include "cli/cmd_warp.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/terminal.h"
 #include "morph/render/fold_error.h"
 
@@ -81,7 +81,7 @@ int parse_and_run(int argc, const char* const* argv, const Works* works, Output&
   } catch (const UsageError& error) {
     output.error(error.what());
     output.note(fmt::format("Try '{} --help'.", error.command()));
-    code = static_cast<int>(ErrorCode::kUsage);
+    code = kExitUsage;
   }
   output.flush();
   return code;
@@ -97,24 +97,26 @@ void hold_standard_streams() {
 
 /// The one place where exceptions become messages, with the options that help, and exit codes.
 int guarded(Output& output, const std::function<int()>& work) {
-  const auto fail = [&output](ErrorCode code, std::string_view message) {
+  const auto fail = [&output](int code, std::string_view message) {
     output.error(message);
-    return static_cast<int>(code);
+    return code;
   };
   try {
     return work();
   } catch (const FileExists& error) {
-    return fail(error.code(), fmt::format("{}; use --overwrite to replace it", error.what()));
+    return fail(kExitIo, fmt::format("{}; use --overwrite to replace it", error.what()));
   } catch (const render::FoldError& error) {
-    return fail(error.code(), fmt::format("{}, or render what can be rendered with --allow-folds", error.what()));
+    return fail(kExitBadInput, fmt::format("{}, or render what can be rendered with --allow-folds", error.what()));
+  } catch (const ArgumentError& error) {
+    return fail(kExitUsage, error.what());
   } catch (const Error& error) {
-    return fail(error.code(), error.what());
+    return fail(exit_code_of(error.kind()), error.what());
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kFailed, "out of memory");
+    return fail(kExitFailed, "out of memory");
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(ErrorCode::kIo, error.what());
+    return fail(kExitIo, error.what());
   } catch (const std::exception& error) {
-    return fail(ErrorCode::kFailed, error.what());
+    return fail(kExitFailed, error.what());
   }
 }
 

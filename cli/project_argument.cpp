@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "morph/media/image_format.h"
 #include "morph/project/project.h"
 #include "morph/project/set_value.h"
@@ -83,8 +83,7 @@ std::vector<Change> listed(const ProjectChanges& changes) {
   for (const std::string& set : changes.sets) {
     const std::size_t equals = set.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw Error(ErrorCode::kUsage, "--set",
-                  fmt::format("'{}' is no change; write PATH=VALUE, as in warp.filter=lanczos", set));
+      throw ArgumentError("--set", fmt::format("'{}' is no change; write PATH=VALUE, as in warp.filter=lanczos", set));
     list.push_back({"--set", {set.substr(0, equals), set.substr(equals + 1)}});
   }
   return list;
@@ -96,7 +95,7 @@ std::vector<Change> listed(const ProjectChanges& changes) {
                                    [&](const Change& change) { return change.setting.path == error.place(); });
   if (guilty == changes.rend()) throw error;
   const bool by_set = guilty->option == "--set";
-  throw Error(ErrorCode::kUsage, guilty->option, by_set ? error.what() : error.message());
+  throw ArgumentError(guilty->option, by_set ? error.what() : error.message());
 }
 
 }  // namespace
@@ -157,10 +156,10 @@ project::Project load_project(const ProjectArgument& argument) {
     return project;
   }
   if (!argument.features.empty())
-    throw Error(ErrorCode::kUsage, "--features", "goes with two pictures; a project has its own features");
+    throw ArgumentError("--features", "goes with two pictures; a project has its own features");
   if (media::writable_format(inputs.front()) != nullptr)
-    throw Error(ErrorCode::kUsage, inputs.front().string(),
-                "is one picture; give two pictures, or a project file that names them");
+    throw ArgumentError(inputs.front().string(),
+                        "is one picture; give two pictures, or a project file that names them");
   return load_project(inputs.front(), argument.changes);
 }
 

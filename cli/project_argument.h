@@ -40,7 +40,7 @@ void declare_changes(Options& command, ProjectChanges& changes, const std::vecto
 /// Declares PROJECT | A B, --features, --set and these options.
 void declare_project(Options& command, ProjectArgument& argument, const std::vector<KeyOption>& keys = {});
 
-/// Changes `project`. @throws Error kUsage, which names the option, if there is no such key or it does not take the
+/// Changes `project`. @throws ArgumentError, which names the option, if there is no such key or it does not take the
 /// value; `project` is then unchanged.
 void apply_changes(const ProjectChanges& changes, project::Project& project);
 
@@ -53,7 +53,7 @@ bool is_project(const std::filesystem::path& file);
 std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture);
 
 /// The project that a command's argument names, changed.
-/// @throws Error kUsage if it is neither a project nor two pictures; as project::load and apply_changes.
+/// @throws ArgumentError if it is neither a project nor two pictures; as project::load and apply_changes.
 project::Project load_project(const ProjectArgument& argument);
 project::Project load_project(const std::filesystem::path& file, const ProjectChanges& changes);
 

@@ -16,10 +16,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "base/vector_target.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
@@ -51,7 +51,7 @@ class ScratchFolder {
   ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "morphkit-bench-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)
-      throw Error(ErrorCode::kIo, name, "cannot be made: " + std::generic_category().message(errno));
+      throw Error(ErrorKind::kIo, name, "cannot be made: " + std::generic_category().message(errno));
     path_ = name;
   }
   ScratchFolder(const ScratchFolder&) = delete;
@@ -140,8 +140,7 @@ Material painted_material(const BenchOptions& options) {
 
 Material make_material(const BenchOptions& options) {
   if (options.project.empty()) return painted_material(options);
-  if (options.lines)
-    throw Error(ErrorCode::kUsage, "--lines", "goes without a project; a project has its own features");
+  if (options.lines) throw ArgumentError("--lines", "goes without a project; a project has its own features");
   Material material;
   material.project = load_project(options.project, options.changes);
   material.pictures = render::load_pictures(material.project);
@@ -190,7 +189,7 @@ void measure_video(const render::Renderer& renderer, const warp::Image& frame, s
   try {
     sink = media::open_sink(folder.path() / "bench.mp4", options, false);
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::kIo) throw;
+    if (error.kind() != ErrorKind::kIo) throw;
     timings.push_back({"mp4", "to .mp4", -1, "not measured: " + std::string(error.message())});
     return;
   }
@@ -253,7 +252,7 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
 int run_bench(const BenchOptions& options, Output& output) {
   Material material = make_material(options);
   const render::Renderer renderer(std::move(material.project), material.pictures);
-  const std::vector<Timing> timings = measure(renderer);
+  const std::vector<Timing> timings = as_asked([&] { return measure(renderer); });
   options.json ? print_json(renderer, timings, output) : print_text(renderer, timings, output);
   return 0;
 }

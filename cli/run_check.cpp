@@ -7,6 +7,7 @@
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/render/check.h"

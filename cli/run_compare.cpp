@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/media/image_file.h"
@@ -102,7 +103,8 @@ int run_compare(const CompareOptions& options, Output& output) {
   if (!options.difference.empty()) {
     media::WriteOptions write;
     write.overwrite = options.overwrite;
-    media::write_image(options.difference, warp::difference_image(a.image, b.image, options.gain), write);
+    as_asked(
+        [&] { media::write_image(options.difference, warp::difference_image(a.image, b.image, options.gain), write); });
   }
   return found.passes(options.tolerance) ? 0 : kExitDifference;
 }

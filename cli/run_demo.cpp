@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "base/words.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/terminal.h"
 #include "samples/samples.h"
 #include "samples/write.h"
@@ -34,8 +34,8 @@ std::vector<std::string> chosen_names(const DemoOptions& options) {
   if (options.name.empty()) return {names.front()};
   if (std::find(names.begin(), names.end(), options.name) != names.end()) return {options.name};
   const auto similar = nearest(options.name, names);
-  throw Error(ErrorCode::kUsage, "demo",
-              fmt::format("there is no sample '{}'; {}", options.name,
+  throw ArgumentError(
+      "demo", fmt::format("there is no sample '{}'; {}", options.name,
                           similar ? fmt::format("did you mean '{}'?", *similar) : "morphkit demo --list names them"));
 }
 
@@ -65,8 +65,7 @@ std::filesystem::path demo_one(const std::string& name, const DemoOptions& optio
   morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));
   if (options.frame_count > 0) morph.project.changes.sets = {fmt::format("output.frames={}", options.frame_count)};
   morph.overwrite = true;
-  const int code = run_morph(morph, output);
-  if (code != 0) throw Error(static_cast<ErrorCode>(code), name, "the demo could not be rendered");
+  run_morph(morph, output);
   say_what_to_see(sample, project_file, morph.output, output);
   return project_file;
 }

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
@@ -13,6 +12,7 @@
 #include "cli/edit/hand/editor.h"
 #include "cli/edit/view/layout.h"
 #include "cli/edit/window.h"
+#include "cli/exit_code.h"
 #include "cli/terminal.h"
 
 namespace morphkit::cli {
@@ -28,17 +28,17 @@ bool same_file(const fs::path& a, const fs::path& b) {
 /// @throws Error unless that side of a project shows this picture.
 void require_picture(const project::Project& project, const project::Picture& side, const fs::path& picture) {
   std::error_code error;
-  if (!fs::exists(picture, error)) throw Error(ErrorCode::kIo, picture.string(), "does not exist");
+  if (!fs::exists(picture, error)) throw Error(ErrorKind::kIo, picture.string(), "does not exist");
   if (!same_file(project::resolve(project, side.image), picture))
-    throw Error(ErrorCode::kUsage, project.file.string(),
-                fmt::format("is a project of other pictures ({}); name another file with -o", side.image.string()));
+    throw ArgumentError(
+        project.file.string(),
+        fmt::format("is a project of other pictures ({}); name another file with -o", side.image.string()));
 }
 
 /// The window reads its pictures once, and undoing does not bring others. @throws Error if --set names others.
 project::Project with_own_pictures(project::Project project) {
   if (project.original && project::parse(*project.original, project.file).pictures != project.pictures)
-    throw Error(ErrorCode::kUsage, "--set",
-                "the pictures of a project stay while it is edited; change them in its file");
+    throw ArgumentError("--set", "the pictures of a project stay while it is edited; change them in its file");
   return project;
 }
 
@@ -46,8 +46,8 @@ cv::Size window_size(const std::string& text) {
   const cv::Size size = parse_size(text, "--window");
   const cv::Size least = edit::kLeastCanvas;
   if (size.width < least.width || size.height < least.height || size.width > 7680 || size.height > 4320)
-    throw Error(ErrorCode::kUsage, "--window",
-                fmt::format("{} is out of range; from {}x{} to 7680x4320", text, least.width, least.height));
+    throw ArgumentError("--window",
+                        fmt::format("{} is out of range; from {}x{} to 7680x4320", text, least.width, least.height));
   return size;
 }
 
@@ -58,7 +58,7 @@ project::Project project_to_edit(const EditOptions& options) {
   const std::vector<fs::path>& inputs = options.project.inputs;
   if (inputs.size() == 1) {
     if (!options.output.empty())
-      throw Error(ErrorCode::kUsage, "--output", "goes with two pictures; a project is saved to its own file");
+      throw ArgumentError("--output", "goes with two pictures; a project is saved to its own file");
     return with_own_pictures(std::move(project));
   }
   fs::path file = options.output;
@@ -66,8 +66,8 @@ project::Project project_to_edit(const EditOptions& options) {
   std::error_code error;
   if (fs::exists(file, error)) {
     if (!options.project.features.empty())
-      throw Error(ErrorCode::kUsage, "--features",
-                  fmt::format("{} is there already and has its own; name another file with -o", file.string()));
+      throw ArgumentError("--features",
+                          fmt::format("{} is there already and has its own; name another file with -o", file.string()));
     project::Project there = load_project(file, options.project.changes);
     require_picture(there, there.pictures[project::kSource], inputs[0]);
     require_picture(there, there.pictures[project::kDestination], inputs[1]);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/project_argument.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
@@ -32,12 +32,12 @@ std::string summary(const project::Project& project) {
 
 int run_import(const ImportOptions& options, Output& output) {
   if (options.output.extension() != ".json")
-    throw Error(ErrorCode::kUsage, options.output.string(), "is no name for a project; it should end in .json");
+    throw ArgumentError(options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;
   project.pictures[project::kSource].image = seen_from(options.output, options.source);
   project.pictures[project::kDestination].image = seen_from(options.output, options.destination);
-  const exchange::ImportReport report =
-      exchange::import_into(project, {options.files, picture_size(options.source), picture_size(options.destination)});
+  const exchange::ImportInput input{options.files, picture_size(options.source), picture_size(options.destination)};
+  const exchange::ImportReport report = as_asked([&] { return exchange::import_into(project, input); });
   project::save(project, options.output, options.overwrite);
   for (const std::string& remark : report.remarks) output.note(remark);
   output.note(fmt::format("{}: {} from {}", options.output.string(), summary(project), report.format));

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
@@ -44,13 +44,13 @@ int write_frames(const MapOptions& options, const render::Renderer& renderer, Ou
 
 int run_map(const MapOptions& options, Output& output) {
   if (options.t.has_value() == !options.frames.empty())
-    throw Error(ErrorCode::kUsage, "map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
+    throw ArgumentError("map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
   const project::Project project = load_project(options.project);
   warn_of_unused_settings(project, output);
   const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
-  if (!options.t) return write_frames(options, renderer, output);
-  write_moment(options, renderer, renderer.clock().at(*options.t), options.output);
+  if (!options.t) return as_asked([&] { return write_frames(options, renderer, output); });
+  as_asked([&] { write_moment(options, renderer, renderer.clock().at(*options.t), options.output); });
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));
   return 0;
 }

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "cli/arguments.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
@@ -59,7 +59,7 @@ void refuse_to_overwrite(const media::FrameSink& sink, const std::vector<int>& f
   if (options.overwrite || options.resume) return;
   const std::vector<std::filesystem::path> existing = sink.existing(frames);
   if (existing.empty()) return;
-  throw Error(ErrorCode::kIo, existing.front().string(),
+  throw Error(ErrorKind::kIo, existing.front().string(),
               fmt::format("exists{}; use --overwrite to replace, or --resume to render only what is missing",
                           existing.size() > 1 ? fmt::format(", and {} more", existing.size() - 1) : ""));
 }
@@ -85,8 +85,7 @@ void say_what_was_done(const MorphOptions& options, const render::Renderer& rend
 
 int render_moment(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink,
                   Output& output) {
-  if (!options.preset.empty())
-    throw Error(ErrorCode::kUsage, "--preset", "is for .mp4 and .webm; one picture has no presets");
+  if (!options.preset.empty()) throw ArgumentError("--preset", "is for .mp4 and .webm; one picture has no presets");
   media::check_write_options(options.output, sink.image);
   const auto start = std::chrono::steady_clock::now();
   media::write_image(options.output, renderer.frame(renderer.clock().at(*options.t)), sink.image);
@@ -142,18 +141,19 @@ std::string unused_mesh_note(const project::Project& project) {
 
 int run_morph(const MorphOptions& options, Output& output) {
   if (options.t) require_moment(*options.t);
-  if (options.t && !options.frames.empty())
-    throw Error(ErrorCode::kUsage, "-t", "is one moment; it does not go with --frames");
+  if (options.t && !options.frames.empty()) throw ArgumentError("-t", "is one moment; it does not go with --frames");
   if (options.resume && options.overwrite)
-    throw Error(ErrorCode::kUsage, "--resume", "keeps what is there and --overwrite replaces it; choose one");
+    throw ArgumentError("--resume", "keeps what is there and --overwrite replaces it; choose one");
   project::Project project = load_project(options.project);
   render::Pictures pictures = render::load_pictures(project);
   say_what_was_read(project, pictures, output);
   const auto metadata = pictures.source.metadata;
   const render::Renderer renderer(std::move(project), pictures, {.allow_folds = options.allow_folds});
   output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
-  const media::SinkOptions sink = sink_options(options, renderer, metadata);
-  return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
+  return as_asked([&] {
+    const media::SinkOptions sink = sink_options(options, renderer, metadata);
+    return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
+  });
 }
 
 }  // namespace morphkit::cli

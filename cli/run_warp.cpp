@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
+#include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
 #include "morph/exchange/import.h"
@@ -27,7 +27,7 @@ struct NamedMesh {
 };
 
 project::Project with_mesh(project::Project project) {
-  if (!project.mesh) throw Error(ErrorCode::kBadInput, project.file.string(), "has no \"mesh\"");
+  if (!project.mesh) throw Error(ErrorKind::kBadInput, project.file.string(), "has no \"mesh\"");
   return project;
 }
 
@@ -82,7 +82,7 @@ NamedMesh from_mesh(const WarpOptions& options, const project::Project& settings
 
 void require_alike(const WarpOptions& options, const warp::Mesh& from, const warp::Mesh& to) {
   if (from.columns == to.columns && from.rows == to.rows) return;
-  throw Error(ErrorCode::kBadInput, options.from.string(),
+  throw Error(ErrorKind::kBadInput, options.from.string(),
               fmt::format("is a mesh of {} x {} vertices, but {} has {} x {}; both must be alike", from.columns,
                           from.rows, options.mesh.string(), to.columns, to.rows));
 }
@@ -92,7 +92,7 @@ void require_free(const WarpOptions& options) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
   };
   if (!options.intermediate.empty() && real(options.intermediate) == real(options.output))
-    throw Error(ErrorCode::kUsage, "--intermediate", "names the same file as --output");
+    throw ArgumentError("--intermediate", "names the same file as --output");
   for (const std::filesystem::path& file : {options.output, options.intermediate})
     if (!options.overwrite && !file.empty() && std::filesystem::exists(file)) throw FileExists(file.string());
 }
@@ -144,8 +144,10 @@ int run_warp(const WarpOptions& options, Output& output) {
   stop_if_interrupted("nothing was written");
   const warp::Image bent = warp.second_pass(between, size, warp::Border::kClamp);
   stop_if_interrupted("nothing was written");
-  if (!options.intermediate.empty()) media::write_image(options.intermediate, between, write);
-  media::write_image(options.output, bent, write);
+  as_asked([&] {
+    if (!options.intermediate.empty()) media::write_image(options.intermediate, between, write);
+    media::write_image(options.output, bent, write);
+  });
   output.note(fmt::format("{}: {}x{}", options.output.string(), size.width, size.height));
   return 0;
 }

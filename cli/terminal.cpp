@@ -37,7 +37,7 @@ std::string duration_text(double duration_s) {
 }
 
 [[noreturn]] void fail_write(int error) {
-  throw Error(ErrorCode::kIo, "standard output", fmt::format("cannot write: {}", std::strerror(error)));
+  throw Error(ErrorKind::kIo, "standard output", fmt::format("cannot write: {}", std::strerror(error)));
 }
 
 }  // namespace

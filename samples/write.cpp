@@ -19,14 +19,14 @@ namespace {
 constexpr double kSamePicture = 1e-4;
 
 [[noreturn]] void fail_changed(const std::filesystem::path& file) {
-  throw Error(ErrorCode::kIo, file.string(),
+  throw Error(ErrorKind::kIo, file.string(),
               "exists and is not what the demo writes; -y replaces it, -o writes into another folder");
 }
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Error(ErrorCode::kIo, folder.string(), "cannot make the folder: " + error.message());
+  if (error) throw Error(ErrorKind::kIo, folder.string(), "cannot make the folder: " + error.message());
 }
 
 bool holds_picture(const std::filesystem::path& file, const warp::Image& image) {

@@ -11,8 +11,8 @@
 #include <unistd.h>
 #include <opencv2/highgui.hpp>
 
-#include "base/error.h"
 #include "cli/edit/hand/editor.h"
+#include "cli/exit_code.h"
 #include "cli/interrupt.h"
 
 namespace morphkit::edit {
@@ -29,7 +29,7 @@ constexpr const char* kNoDisplay = "there is no display to open a window on (DIS
 extern "C" void on_abort(int) {
   static const char text[] = "morphkit: error: edit: no window could be opened on this display\n";
   const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
-  _exit(written < 0 ? 1 : static_cast<int>(ErrorCode::kFailed));
+  _exit(written < 0 ? 1 : cli::kExitFailed);
 }
 
 Mouse::Button button_of(int event) {
@@ -172,7 +172,7 @@ void run_events(Editor& editor, EventQueue& queue) {
     const bool playing = editor.model().playing;
     const int key = cv::waitKeyEx(playing ? kPlayingWaitMs : busy ? kBusyWaitMs : kIdleWaitMs);
     if (cli::interrupted()) {
-      throw Error(ErrorCode::kInterrupted, "edit", fmt::format("interrupted; {}", editor.rescue()));
+      throw Error(ErrorKind::kInterrupted, "edit", fmt::format("interrupted; {}", editor.rescue()));
     }
     busy = take_events(editor, queue, key);
     if (watch.closed() && !editor.done()) {
@@ -200,7 +200,7 @@ void require_display() {
     const char* value = std::getenv(name);
     if (value != nullptr && *value != '\0') return;
   }
-  throw Error(ErrorCode::kFailed, "edit", kNoDisplay);
+  throw Error(ErrorKind::kFailed, "edit", kNoDisplay);
 }
 
 void run_window(Editor& editor) {

@@ -41,23 +41,23 @@ std::string known_extensions() {
 }
 
 const Format& format_of(const std::vector<std::filesystem::path>& files) {
-  if (files.empty()) throw Error(ErrorCode::kUsage, "", "no file is named; known are " + known_extensions());
+  if (files.empty()) throw Error(ErrorKind::kUnsupported, "", "no file is named; known are " + known_extensions());
   const Format* format = find_format(files.front());
   for (const std::filesystem::path& file : files) {
     const Format* other = find_format(file);
     if (!other) {
       throw Error(
-          ErrorCode::kUsage, file.string(),
+          ErrorKind::kUnsupported, file.string(),
           fmt::format("no format has the extension '{}'; known are {}", file.extension().string(), known_extensions()));
     }
     if (other != format) {
-      throw Error(ErrorCode::kUsage, file.string(),
+      throw Error(ErrorKind::kUnsupported, file.string(),
                   fmt::format("is of {}, {} of {}; name files of one format", other->name, files.front().string(),
                               format->name));
     }
   }
   if (files.size() != format->files) {
-    throw Error(ErrorCode::kUsage, files.front().string(),
+    throw Error(ErrorKind::kUnsupported, files.front().string(),
                 fmt::format("{} files are named; {} wants {}", files.size(), format->name, format->wants));
   }
   return *format;
@@ -82,7 +82,7 @@ std::vector<std::string> export_to(const project::Project& project, const Export
   std::set<std::filesystem::path> names;
   for (const std::filesystem::path& file : output.files) {
     if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file))).second)
-      throw Error(ErrorCode::kUsage, file.string(), "is named twice; each side needs a file of its own");
+      throw Error(ErrorKind::kUnsupported, file.string(), "is named twice; each side needs a file of its own");
   }
   return format.export_files(project, output);
 }

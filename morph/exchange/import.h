@@ -48,12 +48,14 @@ std::span<const Format> formats();
 
 /// Lays what other tools' files say over `project`, which is then such that it can be saved. The format is told by the
 /// extension.
-/// @throws Error kUsage for an unknown extension or number of files, kIo, kBadInput naming file and line; `project` is
+/// @throws Error kUnsupported for an unknown extension or number of files, kIo, kBadInput naming file and line;
+/// `project` is
 ///         then unchanged.
 ImportReport import_into(project::Project& project, const ImportInput& input);
 
 /// Writes what the format can hold. @return remarks: what it cannot hold, a sentence each.
-/// @throws Error kUsage as import_into, and if two of the files are one; kBadInput if the project has not what the
+/// @throws Error kUnsupported as import_into, and if two of the files are one; kBadInput if the project has not what
+/// the
 ///         format is for; kIo (nothing is replaced then that was there, unless only a later one of the files fails to
 ///         be put in place).
 std::vector<std::string> export_to(const project::Project& project, const ExportOutput& output);

@@ -48,7 +48,7 @@ class Lines {
   }
 
   /// @throws Error kBadInput at the last line read.
-  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::kBadInput, place(), message); }
+  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorKind::kBadInput, place(), message); }
 
   /// "file:line" of the last line read.
   std::string place() const { return fmt::format("{}:{}", name_, std::max(number_, 1)); }
@@ -177,7 +177,7 @@ void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Pl
   const cv::Point2d last = mesh.vertices.back();
   // Less than a tenth of a pixel; this also refuses values that would scale to infinity.
   if (last.x < 1 || last.y < 1) {
-    throw Error(ErrorCode::kBadInput, places.last_vertex,
+    throw Error(ErrorKind::kBadInput, places.last_vertex,
                 fmt::format("the last vertex, the lower right corner, is at ({}, {}); expected the size of a picture",
                             json::number_text(last.x), json::number_text(last.y)));
   }
@@ -185,7 +185,7 @@ void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Pl
   for (cv::Point2d& vertex : mesh.vertices) {
     vertex = {vertex.x * scale.width + kCentre, vertex.y * scale.height + kCentre};
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) > project::kMaxCoordinate) {
-      throw Error(ErrorCode::kBadInput, places.last_vertex,
+      throw Error(ErrorKind::kBadInput, places.last_vertex,
                   "a vertex is far outside the picture, whose lower right corner the last vertex is");
     }
   }
@@ -233,7 +233,7 @@ std::vector<std::string> import_xmorph(project::Project& project, const ImportIn
   warp::Mesh destination = read_xmorph_mesh(input.files.at(1), input.destination_size, remarks);
   if (source.columns != destination.columns || source.rows != destination.rows) {
     throw Error(
-        ErrorCode::kBadInput, input.files[1].string(),
+        ErrorKind::kBadInput, input.files[1].string(),
         fmt::format("a mesh of {} x {} vertices, but {} has {} x {}; both sides need the same", destination.columns,
                     destination.rows, input.files[0].string(), source.columns, source.rows));
   }
@@ -263,11 +263,11 @@ std::string xmorph_mesh_text(const warp::Mesh& mesh, cv::Size size) {
 
 std::vector<std::string> export_xmorph(const project::Project& project, const ExportOutput& output) {
   if (!project.mesh) {
-    throw Error(ErrorCode::kBadInput, project.file.string(), "has no \"mesh\", the one thing that a .mesh file holds");
+    throw Error(ErrorKind::kBadInput, project.file.string(), "has no \"mesh\", the one thing that a .mesh file holds");
   }
   for (const cv::Size& size : {output.source_size, output.destination_size}) {
     if (size.width < 2 || size.height < 2) {
-      throw Error(ErrorCode::kBadInput, project.file.string(),
+      throw Error(ErrorKind::kBadInput, project.file.string(),
                   fmt::format("a .mesh file cannot tell of a picture of {} x {} pixels; expected at least 2 x 2",
                               size.width, size.height));
     }

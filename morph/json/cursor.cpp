@@ -61,7 +61,7 @@ std::string Cursor::description() const {
 
 void Cursor::fail(const std::string& message) const {
   const std::string path = pointer();
-  throw Error(ErrorCode::kBadInput, path.empty() ? document_->file : document_->file + ": " + path, message);
+  throw Error(ErrorKind::kBadInput, path.empty() ? document_->file : document_->file + ": " + path, message);
 }
 
 void Cursor::fail_expected(std::string_view what) const {

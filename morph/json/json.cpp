@@ -94,7 +94,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     const std::string reason =
         dash == std::string::npos ? "syntax error" : what.substr(dash + 3, what.find(';', dash) - dash - 3);
     const std::size_t byte = position == 0 ? 0 : position - 1;  // the parser counts from 1
-    throw Error(ErrorCode::kBadInput, text_place(text_, file_, byte),
+    throw Error(ErrorKind::kBadInput, text_place(text_, file_, byte),
                 fmt::format("not valid JSON: {}; {}", reason, hint(what, text_, byte)));
   }
 
@@ -186,7 +186,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   std::string next_pointer() const { return pointer(open_.size()); }
 
   [[noreturn]] void fail(const std::string& pointer, const std::string& message) const {
-    throw Error(ErrorCode::kBadInput, pointer.empty() ? file_ : file_ + ": " + pointer, message);
+    throw Error(ErrorKind::kBadInput, pointer.empty() ? file_ : file_ + ": " + pointer, message);
   }
 
   const std::string& text_;
@@ -201,10 +201,10 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 Node parse(const std::string& text, const std::string& file) {
   // The parser treats a zero byte as the end of the text and would ignore the rest.
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-    throw Error(ErrorCode::kBadInput, text_place(text, file, zero), "a zero byte; this is not a text file");
+    throw Error(ErrorKind::kBadInput, text_place(text, file, zero), "a zero byte; this is not a text file");
   }
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    throw Error(ErrorCode::kBadInput, file, "the file is empty; a project starts with {\"morphkit\": 1, ...}");
+    throw Error(ErrorKind::kBadInput, file, "the file is empty; a project starts with {\"morphkit\": 1, ...}");
   }
   TreeBuilder builder(text, file);
   nlohmann::json::sax_parse(text, &builder);
@@ -214,7 +214,7 @@ Node parse(const std::string& text, const std::string& file) {
 std::string strip_bom(std::string text, const std::string& file) {
   if (text.starts_with("\xEF\xBB\xBF")) return text.substr(3);
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw Error(ErrorCode::kBadInput, file, "the file is UTF-16; save it as UTF-8");
+    throw Error(ErrorKind::kBadInput, file, "the file is UTF-16; save it as UTF-8");
   }
   return text;
 }

@@ -270,7 +270,7 @@ std::string quote(std::string_view value) {
   for (std::size_t i = 0; i < value.size();) {
     const std::size_t length = utf8_length(value.substr(i));
     if (length == 0) {
-      throw Error(ErrorCode::kBadInput, "", fmt::format("{} is not UTF-8, so a project cannot name it", shown(value)));
+      throw Error(ErrorKind::kBadInput, "", fmt::format("{} is not UTF-8, so a project cannot name it", shown(value)));
     }
     const char c = value[i];
     if (c == '"' || c == '\\') {

@@ -106,7 +106,7 @@ class ExrHeader {
 
  private:
   [[noreturn]] void fail(const std::string& message) const {
-    throw Error(ErrorCode::kBadInput, file_.string(), message);
+    throw Error(ErrorKind::kBadInput, file_.string(), message);
   }
 
   [[noreturn]] void fail(const Attribute& attribute, const std::string& reason) const {

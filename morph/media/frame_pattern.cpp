@@ -36,7 +36,7 @@ std::optional<Place> place_at(std::string_view text) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& name, const std::string& problem) {
-  throw Error(ErrorCode::kUsage, name.string(),
+  throw Error(ErrorKind::kUnsupported, name.string(),
               problem + "; write one place for the frame number, such as frame.%04d.png or frame.####.png");
 }
 

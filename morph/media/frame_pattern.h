@@ -13,7 +13,7 @@ namespace morphkit::media {
 /// pattern: folders are taken literally.
 class FramePattern {
  public:
-  /// @throws Error kUsage if the name has no place for a number, more than one, or a `%` without meaning.
+  /// @throws Error kUnsupported if the name has no place for a number, more than one, or a `%` without meaning.
   explicit FramePattern(const std::filesystem::path& name);
 
   /// Whether the file name has at least one place for a number. Never throws for a malformed name.

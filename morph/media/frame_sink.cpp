@@ -73,18 +73,18 @@ void check_folder(const fs::path& output) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status))
-    throw Error(ErrorCode::kIo, output.string(), fmt::format("the folder {} does not exist", folder.string()));
+    throw Error(ErrorKind::kIo, output.string(), fmt::format("the folder {} does not exist", folder.string()));
   if (!fs::is_directory(status))
-    throw Error(ErrorCode::kIo, output.string(), fmt::format("{} is not a folder", folder.string()));
+    throw Error(ErrorKind::kIo, output.string(), fmt::format("{} is not a folder", folder.string()));
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
     throw Error(
-        ErrorCode::kIo, output.string(),
+        ErrorKind::kIo, output.string(),
         fmt::format("the folder {} cannot be written: {}", folder.string(), std::generic_category().message(errno)));
 }
 
 [[noreturn]] void refuse_kind(const fs::path& output) {
   const std::string extension = output.extension().string();
-  throw Error(ErrorCode::kUsage, output.string(),
+  throw Error(ErrorKind::kUnsupported, output.string(),
               fmt::format("{}; write a video ({}), or numbered images such as frame.%04d.png",
                           extension.empty() ? "the name has no extension that would tell the kind of output"
                                             : fmt::format("'{}' is no kind of output that is known", extension),
@@ -99,11 +99,11 @@ std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& 
   const bool numbered = FramePattern::matches(output);
   const VideoFormat* video = find_video_format(output);
   if (video != nullptr && numbered && !is_image_extension(output))
-    throw Error(ErrorCode::kUsage, output.string(),
+    throw Error(ErrorKind::kUnsupported, output.string(),
                 "a video is one file: leave the place for the frame number out of its name");
   if (video == nullptr && !is_image_extension(output)) refuse_kind(output);
   if (video == nullptr && !numbered && !single_frame)
-    throw Error(ErrorCode::kUsage, output.string(),
+    throw Error(ErrorKind::kUnsupported, output.string(),
                 fmt::format("one image cannot hold several frames; write {}, or a video ({})",
                             (output.stem() += ".%04d" + output.extension().string()).string(), video_extensions()));
   std::optional<FramePattern> pattern;
@@ -112,7 +112,7 @@ std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& 
   // A .gif is an animation unless its name has a frame number.
   if (video != nullptr && !numbered) return std::make_unique<VideoSink>(output, *video, options);
   if (!options.preset.empty())
-    throw Error(ErrorCode::kUsage, output.string(), "images have no presets; they are for .mp4 and .webm");
+    throw Error(ErrorKind::kUnsupported, output.string(), "images have no presets; they are for .mp4 and .webm");
   check_write_options(output, options.image);
   return std::make_unique<FileSink>(output, std::move(pattern), options);
 }

@@ -47,7 +47,8 @@ class FrameSink {
 /// Opens a sink of the kind that the extension of `output` names: a frame pattern of any image format, `.mp4` (H.264),
 /// `.webm` (VP9), `.mkv` (FFV1), `.mov` (ProRes), `.gif`, `.apng`; a plain image name for a single frame
 /// (`single_frame`). video_format.h says how each kind of video is made.
-/// @throws Error kUsage for an unknown kind, a name without a place for the frame number, or an option that the kind
+/// @throws Error kUnsupported for an unknown kind, a name without a place for the frame number, or an option that the
+/// kind
 ///         does not support (quality, preset, depth, compression); kIo if ffmpeg is missing, if the folder is missing
 ///         or cannot be written, or if the video exists and `options.image.overwrite` is off. Existing frame files are
 ///         refused one by one, by `write`.

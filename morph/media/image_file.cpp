@@ -12,7 +12,7 @@ ColorSpace color_space_from(const std::string& name) {
   if (name == "auto") return ColorSpace::kAuto;
   if (name == "srgb") return ColorSpace::kSrgb;
   if (name == "linear") return ColorSpace::kLinear;
-  throw Error(ErrorCode::kUsage, "", fmt::format("\"{}\" is no color space; use auto, srgb or linear", name));
+  throw Error(ErrorKind::kUnsupported, "", fmt::format("\"{}\" is no color space; use auto, srgb or linear", name));
 }
 
 Depth depth_from(const std::string& name) {
@@ -21,7 +21,7 @@ Depth depth_from(const std::string& name) {
   if (name == "16") return Depth::k16;
   if (name == "half") return Depth::kHalf;
   if (name == "float") return Depth::kFloat;
-  throw Error(ErrorCode::kUsage, "", fmt::format("\"{}\" is no depth; use auto, 8, 16, half or float", name));
+  throw Error(ErrorKind::kUnsupported, "", fmt::format("\"{}\" is no depth; use auto, 8, 16, half or float", name));
 }
 
 ImageInfo read_info(const std::filesystem::path& file) {

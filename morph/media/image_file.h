@@ -20,7 +20,7 @@ enum class ColorSpace {
   kLinear
 };
 
-/// "auto" | "srgb" | "linear". @throws Error kUsage naming the choices.
+/// "auto" | "srgb" | "linear". @throws Error kUnsupported naming the choices.
 ColorSpace color_space_from(const std::string& name);
 
 /// Facts about a file, from its header alone.
@@ -47,14 +47,15 @@ struct Picture {
   std::shared_ptr<const Metadata> metadata;
 };
 
-/// @throws Error kIo (missing, unreadable, a directory) or kBadInput (not an image, truncated, too large).
+/// @throws Error kIo (missing, unreadable, a directory) kBadInput (truncated, too large) or kUnsupported (not an
+/// image).
 ImageInfo read_info(const std::filesystem::path& file);
 Picture read_picture(const std::filesystem::path& file, ColorSpace space = ColorSpace::kAuto);
 
 /// How pixels are stored; kAuto is the format's usual type (PNG, JPEG, WebP, TGA, GIF 8 bit; TIFF 16; EXR half).
 enum class Depth { kAuto, k8, k16, kHalf, kFloat };
 
-/// "auto" | "8" | "16" | "half" | "float". @throws Error kUsage.
+/// "auto" | "8" | "16" | "half" | "float". @throws Error kUnsupported.
 Depth depth_from(const std::string& name);
 
 struct WriteOptions {
@@ -66,16 +67,16 @@ struct WriteOptions {
   bool overwrite = false;
 };
 
-/// Refuses options that are impossible for every image of this name. @throws Error kUsage.
+/// Refuses options that are impossible for every image of this name. @throws Error kUnsupported.
 void check_write_options(const std::filesystem::path& name, const WriteOptions& options);
 
 /// Writes one image, atomically: a temporary name beside it, then a rename. Formats without alpha get the image over
-/// black. @throws Error kIo; kUsage for an unknown extension or a depth that the format does not support; kIo if the
-/// file exists and overwrite is off.
+/// black. @throws Error kIo; kUnsupported for an unknown extension or a depth that the format does not support; kIo if
+/// the file exists and overwrite is off.
 void write_image(const std::filesystem::path& file, const warp::Image& image, const WriteOptions& options = {});
 
 /// The bytes that write_image would write to a file of this name; it does not touch the file. Thread-safe. @throws
-/// Error kUsage as write_image does, kFailed if the codec fails.
+/// Error kUnsupported as write_image does, kFailed if the codec fails.
 std::vector<std::uint8_t> encode_image(const std::filesystem::path& name, const warp::Image& image,
                                        const WriteOptions& options = {});
 

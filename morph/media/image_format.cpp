@@ -80,17 +80,17 @@ std::string read_head(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   const std::string place = file.string();
-  if (status.type() == fs::file_type::not_found) throw Error(ErrorCode::kIo, place, "does not exist");
-  if (fs::is_directory(status)) throw Error(ErrorCode::kIo, place, "is a folder, not an image");
-  if (fs::exists(status) && !fs::is_regular_file(status)) throw Error(ErrorCode::kIo, place, "is not a regular file");
+  if (status.type() == fs::file_type::not_found) throw Error(ErrorKind::kIo, place, "does not exist");
+  if (fs::is_directory(status)) throw Error(ErrorKind::kIo, place, "is a folder, not an image");
+  if (fs::exists(status) && !fs::is_regular_file(status)) throw Error(ErrorKind::kIo, place, "is not a regular file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 32> head{};
   if (stream) stream.read(head.data(), head.size());
   if (!stream.is_open() || stream.bad()) {
-    throw Error(ErrorCode::kIo, place, "cannot be read: " + std::generic_category().message(errno != 0 ? errno : EIO));
+    throw Error(ErrorKind::kIo, place, "cannot be read: " + std::generic_category().message(errno != 0 ? errno : EIO));
   }
-  if (stream.gcount() == 0) throw Error(ErrorCode::kBadInput, place, "is empty");
+  if (stream.gcount() == 0) throw Error(ErrorKind::kBadInput, place, "is empty");
   return std::string(head.data(), static_cast<std::size_t>(stream.gcount()));
 }
 
@@ -127,7 +127,7 @@ std::string sniff_format(const fs::path& file) {
   if (is_pnm(head)) return "pnm";
   if (lower_extension(file) == ".tga") return "targa";
   throw Error(
-      ErrorCode::kBadInput, file.string(),
+      ErrorKind::kUnsupported, file.string(),
       fmt::format("not an image that morphkit can read (its first bytes are of no known format); {}", kSupported));
 }
 
@@ -158,16 +158,16 @@ void set_image_limits(const ImageLimits& limits) {
 void check_size(const fs::path& file, std::int64_t width, std::int64_t height, std::int64_t channels) {
   const ImageLimits& limits = image_limits();
   if (width < 1 || height < 1 || channels < 1) {
-    throw Error(ErrorCode::kBadInput, file.string(),
+    throw Error(ErrorKind::kBadInput, file.string(),
                 fmt::format("has no pixels ({} x {}, {} channels)", width, height, channels));
   }
   if (width > limits.side || height > limits.side || width * height > limits.pixels) {
-    throw Error(ErrorCode::kBadInput, file.string(),
+    throw Error(ErrorKind::kBadInput, file.string(),
                 fmt::format("says that it has {} x {} pixels; at most {} on a side and {} in all can be read", width,
                             height, limits.side, limits.pixels));
   }
   if (channels > limits.channels) {
-    throw Error(ErrorCode::kBadInput, file.string(),
+    throw Error(ErrorKind::kBadInput, file.string(),
                 fmt::format("says that it has {} channels; at most {} can be read", channels, limits.channels));
   }
 }

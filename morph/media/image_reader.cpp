@@ -39,7 +39,7 @@ constexpr int kLastOrientation = 8;
 constexpr int kFirstTurned = 5;  // EXIF orientations 5..8 swap width and height
 
 [[noreturn]] void bad_input(const fs::path& file, const std::string& message) {
-  throw Error(ErrorCode::kBadInput, file.string(), message);
+  throw Error(ErrorKind::kBadInput, file.string(), message);
 }
 
 std::string first_line(const std::string& text) {
@@ -62,7 +62,7 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
   std::vector<std::uint8_t> bytes(error ? 0 : size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (error || !stream || bytes.empty()) {
-    throw Error(ErrorCode::kIo, file.string(),
+    throw Error(ErrorKind::kIo, file.string(),
                 "cannot be read: " + std::generic_category().message(errno != 0 ? errno : EIO));
   }
   return bytes;
@@ -200,7 +200,7 @@ void ImageReader::open() {
 void ImageReader::check() const {
   check_size(file_, spec_.width, spec_.height, spec_.nchannels);
   if (is_display_window()) check_size(file_, spec_.full_width, spec_.full_height, spec_.nchannels);
-  if (spec_.deep) bad_input(file_, "is a deep image; flatten it first");
+  if (spec_.deep) throw Error(ErrorKind::kUnsupported, file_.string(), "is a deep image; flatten it first");
   if (spec_.depth > 1)
     bad_input(file_, fmt::format("is a volume of {} slices; only flat images can be read", spec_.depth));
 }
@@ -362,7 +362,7 @@ warp::Image ImageReader::read(ColorSpace space, std::int64_t& nonfinite) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorCode::kFailed, file_.string(),
+    throw Error(ErrorKind::kFailed, file_.string(),
                 fmt::format("not enough memory for {} x {} pixels", spec_.width, spec_.height));
   } catch (const std::exception& error) {
     bad_input(file_, fmt::format("the {} file is damaged ({})", format_, error.what()));

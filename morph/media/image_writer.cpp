@@ -39,7 +39,7 @@ constexpr int kExrLevel = 4, kTiffLevel = 1;
 
 const WritableFormat& format_of(const fs::path& name) {
   if (const WritableFormat* format = writable_format(name)) return *format;
-  throw Error(ErrorCode::kUsage, name.string(),
+  throw Error(ErrorKind::kUnsupported, name.string(),
               fmt::format("no image format has the extension \"{}\"; use one of {}", name.extension().string(),
                           writable_extensions()));
 }
@@ -49,31 +49,31 @@ Depth resolve_depth(const fs::path& name, const WritableFormat& format, Depth wa
   if (std::find(format.depths.begin(), format.depths.end(), wanted) != format.depths.end()) return wanted;
   std::string known;
   for (const Depth depth : format.depths) known += (known.empty() ? "" : " or ") + shown_depth(depth);
-  throw Error(ErrorCode::kUsage, name.string(),
+  throw Error(ErrorKind::kUnsupported, name.string(),
               fmt::format("{} cannot hold {} samples, only {}", format.shown, shown_depth(wanted), known));
 }
 
 void check_compression(const fs::path& name, const WritableFormat& format, int level) {
   if (level < 0) return;
   if (!format.compression) {
-    throw Error(ErrorCode::kUsage, name.string(),
+    throw Error(ErrorKind::kUnsupported, name.string(),
                 fmt::format("{} has no levels of compression; PNG, TIFF and EXR have them", format.shown));
   }
   if (level > kMostCompression) {
-    throw Error(ErrorCode::kUsage, name.string(),
+    throw Error(ErrorKind::kUnsupported, name.string(),
                 fmt::format("compression {} is not in 0 (none) to {} (smallest)", level, kMostCompression));
   }
 }
 
 void check_quality(const fs::path& name, int quality) {
   if (quality >= 1 && quality <= 100) return;
-  throw Error(ErrorCode::kUsage, name.string(), fmt::format("quality {} is not in 1..100", quality));
+  throw Error(ErrorKind::kUnsupported, name.string(), fmt::format("quality {} is not in 1..100", quality));
 }
 
 void check_writable(const fs::path& name, const WritableFormat& format, int width, int height) {
-  if (width < 1 || height < 1) throw Error(ErrorCode::kUsage, name.string(), "the image has no pixels");
+  if (width < 1 || height < 1) throw Error(ErrorKind::kUnsupported, name.string(), "the image has no pixels");
   if (width > format.largest_side || height > format.largest_side) {
-    throw Error(ErrorCode::kUsage, name.string(),
+    throw Error(ErrorKind::kUnsupported, name.string(),
                 fmt::format("{} x {} pixels are too many for {}, which holds at most {} on a side", width, height,
                             format.shown, format.largest_side));
   }
@@ -139,7 +139,7 @@ OIIO::TypeDesc given_type(SampleType type) {
   std::string complaint = output != nullptr ? output->geterror() : "";
   const std::string of_thread = OIIO::geterror();
   if (complaint.empty()) complaint = of_thread;
-  throw Error(ErrorCode::kFailed, name.string(), fmt::format("the image cannot be encoded ({})", complaint));
+  throw Error(ErrorKind::kFailed, name.string(), fmt::format("the image cannot be encoded ({})", complaint));
 }
 
 /// A file in memory with a name. OpenImageIO 2.4 leaves tags out of a TIFF (its width and height) when it writes
@@ -169,7 +169,7 @@ class MemoryFile {
 
  private:
   [[noreturn]] void fail() const {
-    throw Error(ErrorCode::kFailed, shown_.string(),
+    throw Error(ErrorKind::kFailed, shown_.string(),
                 "no memory for the encoded image: " + std::generic_category().message(errno));
   }
 
@@ -275,7 +275,7 @@ void write_image(const fs::path& file, const warp::Image& image, const WriteOpti
 void write_map(const fs::path& file, const warp::Map& map, bool overwrite) {
   const WritableFormat& format = format_of(file);
   if (format.plugin != "openexr") {
-    throw Error(ErrorCode::kUsage, file.string(), "a map needs 32-bit float samples; name it .exr");
+    throw Error(ErrorKind::kUnsupported, file.string(), "a map needs 32-bit float samples; name it .exr");
   }
   check_writable(file, format, map.cols, map.rows);
   const warp::Map packed = map.isContinuous() ? map : warp::Map(map.clone());

@@ -31,7 +31,7 @@ std::string chunk_type(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 void check_png(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  const auto fail = [&](const std::string& message) { throw Error(ErrorCode::kBadInput, file.string(), message); };
+  const auto fail = [&](const std::string& message) { throw Error(ErrorKind::kBadInput, file.string(), message); };
   std::size_t position = kSignature;
   for (bool first = true;; first = false) {
     if (bytes.size() < position + kLengthAndType) {

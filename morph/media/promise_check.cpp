@@ -59,7 +59,7 @@ class Promises {
 
  private:
   [[noreturn]] void fail(const std::string& message) const {
-    throw Error(ErrorCode::kBadInput, file_.string(), message);
+    throw Error(ErrorKind::kBadInput, file_.string(), message);
   }
 
   std::filesystem::path file_;

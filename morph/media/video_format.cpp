@@ -121,7 +121,7 @@ void append_codec(Arguments& arguments, const VideoFormat& format, const SinkOpt
 void check_preset(const VideoFormat& format, const std::string& preset, const std::filesystem::path& shown) {
   const std::span<const std::string_view> presets = presets_of(format);
   if (preset.empty() || std::find(presets.begin(), presets.end(), preset) != presets.end()) return;
-  throw Error(ErrorCode::kUsage, shown.string(),
+  throw Error(ErrorKind::kUnsupported, shown.string(),
               presets.empty() ? fmt::format("{} has no presets; they are for .mp4 and .webm", format.extension)
                               : fmt::format("'{}' is no preset of {}; use one of {}", preset, format.extension,
                                             fmt::join(presets, ", ")));
@@ -131,26 +131,26 @@ void check_compression(const VideoFormat& format, int compression, const std::fi
   constexpr int kSmallest = 9;
   if (compression < 0) return;
   if (std::string_view(format.extension) != ".apng")
-    throw Error(ErrorCode::kUsage, shown.string(),
+    throw Error(ErrorKind::kUnsupported, shown.string(),
                 fmt::format("{} has no levels of compression; PNG, TIFF, EXR and .apng have them", format.extension));
   if (compression > kSmallest)
-    throw Error(ErrorCode::kUsage, shown.string(),
+    throw Error(ErrorKind::kUnsupported, shown.string(),
                 fmt::format("compression {} is not in 0 (none) to {} (smallest)", compression, kSmallest));
 }
 
 void check_options(const VideoFormat& format, const SinkOptions& options, const std::filesystem::path& shown) {
   if (options.fps_num < 1 || options.fps_den < 1)
     throw Error(
-        ErrorCode::kUsage, shown.string(),
+        ErrorKind::kUnsupported, shown.string(),
         fmt::format("a frame rate of {}/{} makes no sense; it must be above 0", options.fps_num, options.fps_den));
   check_preset(format, options.preset, shown);
   check_compression(format, options.image.compression, shown);
   if (format.default_crf >= 0 && options.video_quality > format.worst_crf)
-    throw Error(ErrorCode::kUsage, shown.string(),
+    throw Error(ErrorKind::kUnsupported, shown.string(),
                 fmt::format("the quality of {} is a CRF from 0 (best) to {}, not {}", format.extension,
                             format.worst_crf, options.video_quality));
   if (format.max_fps > 0 && options.fps_num > std::int64_t{format.max_fps} * options.fps_den)
-    throw Error(ErrorCode::kUsage, shown.string(),
+    throw Error(ErrorKind::kUnsupported, shown.string(),
                 fmt::format("players show a {} with at most {} frames per second, not {}/{}; lower the rate or write "
                             ".apng, .webm or .mp4",
                             format.extension, format.max_fps, options.fps_num, options.fps_den));

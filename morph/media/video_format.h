@@ -46,7 +46,7 @@ std::string video_extensions();
 
 /// ffmpeg and its arguments: raw frames on standard input, the video in `file`. The same options and the same frames
 /// give the same bytes.
-/// @throws Error kUsage, naming `shown`, for an unsupported quality, preset, compression or frame rate.
+/// @throws Error kUnsupported, naming `shown`, for an unsupported quality, preset, compression or frame rate.
 std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOptions& options,
                                         const std::filesystem::path& file, const std::filesystem::path& shown);
 

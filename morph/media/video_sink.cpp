@@ -25,9 +25,9 @@ Process VideoSink::start(const SinkOptions& options) const {
     return Process(command);
   } catch (const std::system_error& error) {
     if (error.code().value() != ENOENT)
-      throw Error(ErrorCode::kIo, file_.string(),
+      throw Error(ErrorKind::kIo, file_.string(),
                   fmt::format("the ffmpeg program cannot be started: {}", error.code().message()));
-    throw Error(ErrorCode::kIo, file_.string(),
+    throw Error(ErrorKind::kIo, file_.string(),
                 fmt::format("writing {} needs the ffmpeg program, which is not on PATH; install it (apt-get install "
                             "ffmpeg) or write frames: frame.%04d.png",
                             format_.extension));
@@ -49,12 +49,12 @@ void VideoSink::write(int /*frame*/, Packet packet) {
 void VideoSink::finish() {
   if (!any_frame_) {
     ffmpeg_.kill();
-    throw Error(ErrorCode::kFailed, file_.string(), "there is no frame to write");
+    throw Error(ErrorKind::kFailed, file_.string(), "there is no frame to write");
   }
   if (!ffmpeg_.finish().ok()) report_end();
   std::error_code error;
   if (const auto bytes = std::filesystem::file_size(output_.temporary(), error); error || bytes == 0)
-    throw Error(ErrorCode::kFailed, file_.string(), "ffmpeg ended well but has written nothing");
+    throw Error(ErrorKind::kFailed, file_.string(), "ffmpeg ended well but has written nothing");
   output_.commit();
 }
 
@@ -67,7 +67,7 @@ void VideoSink::report_end() {
                     lines.find(std::strerror(EDQUOT)) != std::string::npos ||
                     lines.find(std::strerror(EIO)) != std::string::npos;
   const std::string said = lines.empty() ? "it said nothing" : "it said:\n" + lines;
-  throw Error(disk ? ErrorCode::kIo : ErrorCode::kFailed, file_.string(),
+  throw Error(disk ? ErrorKind::kIo : ErrorKind::kFailed, file_.string(),
               fmt::format("ffmpeg {} before the video was complete; {}", end.text(), said));
 }
 

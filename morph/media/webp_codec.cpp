@@ -19,11 +19,11 @@ WebPBitstreamFeatures features_of(const std::filesystem::path& file, std::span<c
   WebPBitstreamFeatures features;
   const VP8StatusCode status = WebPGetFeatures(bytes.data(), bytes.size(), &features);
   if (status != VP8_STATUS_OK) {
-    throw Error(ErrorCode::kBadInput, file.string(),
+    throw Error(ErrorKind::kBadInput, file.string(),
                 status == VP8_STATUS_NOT_ENOUGH_DATA ? "the WebP file is cut short" : "the WebP file is damaged");
   }
   if (features.has_animation != 0) {
-    throw Error(ErrorCode::kBadInput, file.string(), "is an animated WebP; only stills can be read");
+    throw Error(ErrorKind::kUnsupported, file.string(), "is an animated WebP; only stills can be read");
   }
   return features;
 }
@@ -41,7 +41,7 @@ std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::sp
   std::vector<std::uint8_t> samples(stride * static_cast<std::size_t>(features.height));
   if (WebPDecodeRGBAInto(bytes.data(), bytes.size(), samples.data(), samples.size(), static_cast<int>(stride)) ==
       nullptr) {
-    throw Error(ErrorCode::kBadInput, file.string(), "the WebP file is damaged or cut short");
+    throw Error(ErrorKind::kBadInput, file.string(), "the WebP file is damaged or cut short");
   }
   return samples;
 }
@@ -71,7 +71,7 @@ std::vector<std::uint8_t> encode_webp(const std::filesystem::path& file, std::sp
   ok = ok && (channels == kChannels ? WebPPictureImportRGBA(&picture, samples.data(), stride)
                                     : WebPPictureImportRGB(&picture, samples.data(), stride)) != 0;
   if (!ok || WebPEncode(&config, &picture) == 0) {
-    throw Error(ErrorCode::kFailed, file.string(),
+    throw Error(ErrorKind::kFailed, file.string(),
                 fmt::format("the WebP encoder gave up (libwebp's error {})", static_cast<int>(picture.error_code)));
   }
   return {writer.mem, writer.mem + writer.size};

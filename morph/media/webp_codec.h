@@ -15,7 +15,7 @@ struct WebpHeader {
   bool has_alpha = false;
 };
 
-/// @throws Error kBadInput if it is damaged or an animation.
+/// @throws Error kBadInput if it is damaged; kUnsupported if it is an animation.
 WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 /// 8-bit sRGB, unpremultiplied RGBA. @throws Error kBadInput if it is damaged or cut short.

@@ -41,7 +41,7 @@ std::size_t index_of(const Node& list, std::string_view id, std::string_view pat
     if (own && own->text() == id) return ids.size() - 1;
   }
   const auto meant = nearest(id, ids);
-  throw Error(ErrorCode::kBadInput, std::string(path),
+  throw Error(ErrorKind::kBadInput, std::string(path),
               fmt::format("nothing here has the id {}{}", json::shown(id),
                           meant ? fmt::format("; did you mean {}?", json::shown(*meant)) : ""));
 }
@@ -70,7 +70,7 @@ Place find_place(Place at, std::string_view path) {
   std::string_view rest = path;
   do {
     at.open();
-    if (!at.brief->is(Kind::kObject)) throw Error(ErrorCode::kBadInput, std::string(path), "there is no such key");
+    if (!at.brief->is(Kind::kObject)) throw Error(ErrorKind::kBadInput, std::string(path), "there is no such key");
     const std::size_t end = std::min(rest.find_first_of("./"), rest.size());
     at = at.key(rest.substr(0, end));
     const bool enters = end < rest.size() && rest[end] == '/';
@@ -110,7 +110,7 @@ Project with_values(const Project& project, std::span<const Setting> settings) {
     changed.original = project.original;
     return changed;
   } catch (const Error& error) {
-    throw Error(error.code(), path, error.message());
+    throw Error(error.kind(), path, error.message());
   }
 }
 

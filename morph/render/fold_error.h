@@ -8,11 +8,11 @@
 
 namespace morphkit::render {
 
-/// Code kBadInput. With RendererOptions::allow_folds the rest of the mesh can be rendered.
+/// Of the kind kBadInput. With RendererOptions::allow_folds the rest of the mesh can be rendered.
 class FoldError : public Error {
  public:
   FoldError(std::string place, std::string message)
-      : Error(ErrorCode::kBadInput, std::move(place), std::move(message)) {}
+      : Error(ErrorKind::kBadInput, std::move(place), std::move(message)) {}
 };
 
 }  // namespace morphkit::render

@@ -27,7 +27,7 @@ warp::Mesh mesh_on(const project::MomentMesh& mesh, SideIndex side, cv::Size pic
   if (const auto off = warp::off_outline(result, border, kOutlineTolerancePx)) {
     const cv::Point2d at = result.at(off->column, off->row);
     throw Error(
-        ErrorCode::kBadInput,
+        ErrorKind::kBadInput,
         fmt::format("{}: /mesh/{}/{}", project_file.string(), name_of(side), result.index(off->column, off->row)),
         fmt::format("the vertex in column {}, row {} is at ({:g}, {:g}) but belongs to the border of the "
                     "picture, which is {}x{}: border vertices lie on the border, corners at the corners",

@@ -67,7 +67,7 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
   run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), stages, cancelled);
   if (progress.done < static_cast<int>(missing.size()))
-    throw Error(ErrorCode::kInterrupted, "",
+    throw Error(ErrorKind::kInterrupted, "",
                 fmt::format("interrupted after {} of {} frames", progress.done + progress.skipped, progress.total));
   sink.finish();
   return progress;

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
+#include "cli/exit_code.h"
 #include "cli/program.h"
 #include "morph/project/project.h"
 #include "tests/cli/run_program.h"
@@ -39,8 +39,7 @@ std::string refusal(const ProjectChanges& changes) {
   const project::Project before = project;
   try {
     apply_changes(changes, project);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kUsage) << error.what();
+  } catch (const ArgumentError& error) {
     EXPECT_TRUE(same_document(project, before));
     return error.what();
   }

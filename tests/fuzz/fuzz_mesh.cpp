@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     mesh = exchange::parse_xmorph_mesh(text, "fuzz.mesh", picture, remarks);
   } catch (const morphkit::Error& error) {
-    require(error.code() == morphkit::ErrorCode::kBadInput, error.what());
+    require(error.kind() == morphkit::ErrorKind::kBadInput, error.what());
     return 0;
   }
   require(mesh.vertices.size() == static_cast<std::size_t>(mesh.columns) * static_cast<std::size_t>(mesh.rows),

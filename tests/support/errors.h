@@ -18,7 +18,7 @@ Error error_of(const Action& action) {
     return error;
   }
   ADD_FAILURE() << "no Error was thrown";
-  return {ErrorCode::kFailed, "", ""};
+  return {ErrorKind::kFailed, "", ""};
 }
 
 inline bool contains(const std::string& text, const std::string& part) {

@@ -39,7 +39,7 @@ TEST(AtomicFile, AnEmptyFileIsNotCommitted) {
   const TemporaryFolder folder;
   {
     AtomicFile file(folder / "a.txt", false);
-    EXPECT_EQ(error_of([&] { file.commit(); }).code(), ErrorCode::kIo);
+    EXPECT_EQ(error_of([&] { file.commit(); }).kind(), ErrorKind::kIo);
   }
   EXPECT_EQ(folder.names().size(), 0U);
 }
@@ -62,7 +62,7 @@ TEST(AtomicFile, ReplacingKeepsPermissionsAndFollowsLinks) {
   EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
   EXPECT_EQ(read_bytes(folder / "real.txt"), (Bytes{1, 2}));
   EXPECT_EQ(fs::status(folder / "real.txt").permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_EQ(error_of([] { write_file("/dev/null", Bytes{1}, true); }).code(), ErrorCode::kIo);
+  EXPECT_EQ(error_of([] { write_file("/dev/null", Bytes{1}, true); }).kind(), ErrorKind::kIo);
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
@@ -83,7 +83,7 @@ TEST(AtomicFile, BadFileNamesGiveErrorsWithTheReason) {
   const TemporaryFolder folder;
   const auto refused = [&](const fs::path& file, const std::string& says) {
     const Error error = error_of([&] { write_file(file, Bytes{1}, true); });
-    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
     EXPECT_EQ(error.place(), file.string());
     EXPECT_TRUE(contains(error.message(), says)) << error.what();
   };

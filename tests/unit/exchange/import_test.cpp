@@ -160,7 +160,7 @@ TEST(XmorphMesh, BadFilesNameTheLine) {
   for (const auto& [text, place, says] : table) {
     SCOPED_TRACE(text);
     const Error error = error_of([&, &bad = text] { parsed(bad, {640, 480}); });
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_EQ(error.place(), place);
     EXPECT_TRUE(contains(error.message(), says)) << error.what();
     EXPECT_LT(error.message().size(), 300U);
@@ -179,7 +179,7 @@ TEST(XmorphMesh, EveryCutIsRefusedOrTheSame) {
       EXPECT_GE(length, text.size() - std::string(" 500 0\n").size());
       ++whole;
     } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     }
   }
   EXPECT_GE(whole, 3);
@@ -262,15 +262,15 @@ TEST_F(Import, ReadsOneSideAlone) {
   write_text(folder_ / "a.mesh", kMesh);
   std::vector<std::string> remarks;
   EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}, remarks), parsed(kMesh, {101, 51}));
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}, remarks); }).code(), ErrorCode::kIo);
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}, remarks); }).code(), ErrorCode::kIo);
+  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}, remarks); }).kind(), ErrorKind::kIo);
+  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}, remarks); }).kind(), ErrorKind::kIo);
 }
 
 TEST_F(Import, SidesMustBeAlike) {
   write_text(folder_ / "a.mesh", kMesh);
   write_text(folder_ / "b.mesh", "M2\n2 2\n0 0\n9 0\n0 9\n9 9\n");
   const Error error = import_error(input("a.mesh", "b.mesh"));
-  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
   EXPECT_EQ(error.place(), (folder_ / "b.mesh").string());
   EXPECT_TRUE(contains(error.message(), "a mesh of 2 x 2 vertices, but")) << error.what();
   EXPECT_TRUE(contains(error.message(), "has 3 x 3; both sides need the same")) << error.what();
@@ -280,10 +280,10 @@ TEST_F(Import, WrongFilesAreRefused) {
   write_text(folder_ / "a.mesh", kMesh);
   write_text(folder_ / "bad.mesh", "M2\n3 3\n0 0\n");
   EXPECT_EQ(import_error(input("a.mesh", "bad.mesh")).place(), (folder_ / "bad.mesh").string() + ":3");
-  EXPECT_EQ(import_error(input("a.mesh", "missing.mesh")).code(), ErrorCode::kIo);
+  EXPECT_EQ(import_error(input("a.mesh", "missing.mesh")).kind(), ErrorKind::kIo);
   const auto usage = [&](const ImportInput& wrong, const std::string& says) {
     const Error error = import_error(wrong);
-    EXPECT_EQ(error.code(), ErrorCode::kUsage);
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
     EXPECT_TRUE(contains(error.what(), says)) << error.what();
   };
   usage(input("a.mesh", "b.txt"), "no format has the extension '.txt'; known are .mesh (xmorph)");
@@ -312,7 +312,7 @@ TEST_F(Import, WhatIsExportedComesBack) {
 TEST_F(Import, ExportReplacesBothOrNeither) {
   project_.mesh = project::Mesh{2, 2, {{}, {}}, {}};
   write_text(folder_ / "b.mesh", "mine");
-  EXPECT_EQ(error_of([&] { export_to(project_, output("a.mesh", "b.mesh")); }).code(), ErrorCode::kIo);
+  EXPECT_EQ(error_of([&] { export_to(project_, output("a.mesh", "b.mesh")); }).kind(), ErrorKind::kIo);
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"b.mesh"});
   EXPECT_EQ(read_text(folder_ / "b.mesh"), "mine");
   export_to(project_, output("a.mesh", "b.mesh", true));

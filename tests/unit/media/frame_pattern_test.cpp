@@ -19,7 +19,7 @@ std::string refusal(const std::string& pattern) {
   try {
     const FramePattern parsed(pattern);
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kUsage);
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
     EXPECT_EQ(error.place(), pattern);
     return error.message();
   }

@@ -71,7 +71,7 @@ void expect_refused(const Header& header, const std::string& part) {
         read_info(folder / "a.exr");
       }
     });
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_EQ(error.place(), (folder / "a.exr").string());
     EXPECT_TRUE(contains(error.message(), part)) << error.what();
   }
@@ -141,7 +141,7 @@ TEST(ExrHeader, RefusesAHeaderCutShortAnywhere) {
   ASSERT_NE(last, whole.end());
   for (auto end = whole.begin() + 1; end != last; ++end) {
     write_bytes(folder / "cut.exr", Bytes(whole.begin(), end));
-    EXPECT_EQ(error_of([&] { check_exr(folder / "cut.exr"); }).code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error_of([&] { check_exr(folder / "cut.exr"); }).kind(), ErrorKind::kBadInput);
   }
 }
 

@@ -14,13 +14,13 @@
 namespace morphkit::media::test {
 namespace {
 
-void expect_refused(const fs::path& file, ErrorCode code, const std::string& part) {
+void expect_refused(const fs::path& file, ErrorKind code, const std::string& part) {
   SCOPED_TRACE(file.filename());
   testing::internal::CaptureStderr();
   for (const bool pixels : {false, true}) {
     const Error error =
         error_of([&] { pixels ? static_cast<void>(read_picture(file)) : static_cast<void>(read_info(file)); });
-    EXPECT_EQ(error.code(), code);
+    EXPECT_EQ(error.kind(), code);
     EXPECT_EQ(error.place(), file.string());
     EXPECT_TRUE(contains(error.message(), part)) << error.what();
   }
@@ -29,18 +29,18 @@ void expect_refused(const fs::path& file, ErrorCode code, const std::string& par
 
 TEST(ImageFailure, RefusesFilesThatAreNotImages) {
   const Folder folder;
-  expect_refused(folder / "missing.png", ErrorCode::kIo, "does not exist");
+  expect_refused(folder / "missing.png", ErrorKind::kIo, "does not exist");
   fs::create_directory(folder / "folder.png");
-  expect_refused(folder / "folder.png", ErrorCode::kIo, "is a folder");
+  expect_refused(folder / "folder.png", ErrorKind::kIo, "is a folder");
   write_bytes(folder / "empty.png", {});
-  expect_refused(folder / "empty.png", ErrorCode::kBadInput, "is empty");
+  expect_refused(folder / "empty.png", ErrorKind::kBadInput, "is empty");
   write_bytes(folder / "text.png", {'h', 'e', 'l', 'l', 'o'});
-  expect_refused(folder / "text.png", ErrorCode::kBadInput, "not an image that morphkit can read");
-  expect_refused(folder / "text.png", ErrorCode::kBadInput, "supported are PNG");
+  expect_refused(folder / "text.png", ErrorKind::kUnsupported, "not an image that morphkit can read");
+  expect_refused(folder / "text.png", ErrorKind::kUnsupported, "supported are PNG");
   write_bytes(folder / "x.tga", {'h', 'e', 'l', 'l', 'o'});
-  expect_refused(folder / "x.tga", ErrorCode::kBadInput, "damaged");
+  expect_refused(folder / "x.tga", ErrorKind::kBadInput, "damaged");
   ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
-  expect_refused(folder / "pipe.png", ErrorCode::kIo, "not a regular file");
+  expect_refused(folder / "pipe.png", ErrorKind::kIo, "not a regular file");
 }
 
 TEST(ImageFailure, UnreadableFile) {
@@ -48,7 +48,7 @@ TEST(ImageFailure, UnreadableFile) {
   const Folder folder;
   write_image(folder / "a.png", random_image(2, 2, false, 1));
   fs::permissions(folder / "a.png", fs::perms::none);
-  expect_refused(folder / "a.png", ErrorCode::kIo, "cannot be read");
+  expect_refused(folder / "a.png", ErrorKind::kIo, "cannot be read");
 }
 
 TEST(ImageFailure, TheContentsDecideAndNotTheExtension) {
@@ -74,7 +74,7 @@ TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
       write_bytes(file, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
       testing::internal::CaptureStderr();
       const Error error = error_of([&] { read_picture(file); });
-      EXPECT_EQ(error.code(), ErrorCode::kBadInput) << error.what();
+      EXPECT_EQ(error.kind(), ErrorKind::kBadInput) << error.what();
       EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     }
   }
@@ -85,7 +85,7 @@ TEST(ImageFailure, DamagedPngIsReportedWithItsChunk) {
   Bytes bytes = encode_image("a.png", random_image(20, 20, false, 3));
   bytes[bytes.size() / 2] ^= 0x10;
   write_bytes(folder / "a.png", bytes);
-  expect_refused(folder / "a.png", ErrorCode::kBadInput, "chunk IDAT");
+  expect_refused(folder / "a.png", ErrorKind::kBadInput, "chunk IDAT");
 }
 
 /// CRC-32 of PNG, bit by bit (ISO/IEC 15948, annex D).
@@ -113,18 +113,18 @@ Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
 TEST(ImageFailure, HostileSizesAreRefusedFromTheHeader) {
   const Folder folder;
   write_bytes(folder / "huge.png", png_of_size(100000, 100000));
-  expect_refused(folder / "huge.png", ErrorCode::kBadInput, "100000 x 100000");
-  expect_refused(folder / "huge.png", ErrorCode::kBadInput, "65536");
+  expect_refused(folder / "huge.png", ErrorKind::kBadInput, "100000 x 100000");
+  expect_refused(folder / "huge.png", ErrorKind::kBadInput, "65536");
   write_bytes(folder / "many.png", png_of_size(65000, 65000));
-  expect_refused(folder / "many.png", ErrorCode::kBadInput, "1073741824");
+  expect_refused(folder / "many.png", ErrorKind::kBadInput, "1073741824");
   write_bytes(folder / "nothing.png", png_of_size(0, 5));
-  expect_refused(folder / "nothing.png", ErrorCode::kBadInput, "has no pixels");
+  expect_refused(folder / "nothing.png", ErrorKind::kBadInput, "has no pixels");
 }
 
 TEST(ImageFailure, ManyMissingLinesCostNothing) {
   const Folder folder;
   write_bytes(folder / "empty.png", png_of_size(30000, 30000));
-  EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).code(), ErrorCode::kBadInput);
+  EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).kind(), ErrorKind::kBadInput);
 }
 
 /// The first 34 bytes of a PSD file of 5 x 4 pixels, with these lengths of colour mode data and resources.
@@ -137,7 +137,7 @@ TEST(ImageFailure, RefusesHeadersWithSizesBeyondTheFile) {
   const Folder folder;
   const auto refused = [&](const Bytes& bytes, const std::string& part) {
     write_bytes(folder / "a", bytes);
-    expect_refused(folder / "a", ErrorCode::kBadInput, part);
+    expect_refused(folder / "a", ErrorKind::kBadInput, part);
   };
   refused({'G', 'I', 'F', '8', '9', 'a', 0x40, 0x9c, 0x30, 0x75, 0, 0, 0}, "40000 x 30000");
   refused({'G', 'I', 'F', '8', '9', 'a', 0x40, 0x9c}, "the GIF file is cut short: it ends at byte 8");
@@ -164,27 +164,27 @@ TEST(ImageFailure, DeepImagesAreRefused) {
   ASSERT_TRUE(output->open((folder / "deep.exr").string(), spec));
   ASSERT_TRUE(output->write_deep_image(deep));
   ASSERT_TRUE(output->close());
-  expect_refused(folder / "deep.exr", ErrorCode::kBadInput, "deep");
+  expect_refused(folder / "deep.exr", ErrorKind::kUnsupported, "deep");
 }
 
 TEST(ImageFailure, RefusesToWriteToImpossiblePlaces) {
   const Folder folder;
   const warp::Image image = random_image(2, 2, false, 1);
-  const auto refused = [&](const fs::path& file, ErrorCode code, const std::string& part) {
+  const auto refused = [&](const fs::path& file, ErrorKind code, const std::string& part) {
     const Error error = error_of([&] { write_image(file, image); });
-    EXPECT_EQ(error.code(), code);
+    EXPECT_EQ(error.kind(), code);
     EXPECT_TRUE(contains(error.what(), part)) << error.what();
   };
-  refused(folder / "no/such/a.png", ErrorCode::kIo, "no/such does not exist");
+  refused(folder / "no/such/a.png", ErrorKind::kIo, "no/such does not exist");
   fs::create_directory(folder / "a.png");
-  refused(folder / "a.png", ErrorCode::kIo, "is a folder");
+  refused(folder / "a.png", ErrorKind::kIo, "is a folder");
   write_bytes(folder / "file", {1});
-  refused(folder / "file/a.png", ErrorCode::kIo, "file");
+  refused(folder / "file/a.png", ErrorKind::kIo, "file");
   write_image(folder / "there.png", image);
-  refused(folder / "there.png", ErrorCode::kIo, "already exists");
-  refused(folder / "a.xyz", ErrorCode::kUsage, ".webp");
-  refused(folder / "noextension", ErrorCode::kUsage, ".png");
-  refused("/proc/a.png", ErrorCode::kIo, "cannot be created");
+  refused(folder / "there.png", ErrorKind::kIo, "already exists");
+  refused(folder / "a.xyz", ErrorKind::kUnsupported, ".webp");
+  refused(folder / "noextension", ErrorKind::kUnsupported, ".png");
+  refused("/proc/a.png", ErrorKind::kIo, "cannot be created");
   EXPECT_EQ(folder.names().size(), 3U);
 }
 
@@ -194,7 +194,7 @@ TEST(ImageFailure, ReadOnlyFolder) {
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   const Error error = error_of([&] { write_image(folder / "a.png", random_image(2, 2, false, 1)); });
   fs::permissions(folder.path(), fs::perms::owner_all);
-  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_EQ(error.kind(), ErrorKind::kIo);
   EXPECT_TRUE(contains(error.what(), "Permission denied")) << error.what();
 }
 
@@ -204,7 +204,7 @@ TEST(ImageFailure, RefusesDepthsThatTheFormatDoesNotSupport) {
     WriteOptions options;
     options.depth = depth;
     const Error error = error_of([&] { encode_image(name, image, options); });
-    EXPECT_EQ(error.code(), ErrorCode::kUsage);
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
     return std::string(error.what());
   };
   EXPECT_EQ(message("a.jpg", Depth::k16), "a.jpg: JPEG cannot hold 16 bit samples, only 8 bit");
@@ -214,11 +214,11 @@ TEST(ImageFailure, RefusesDepthsThatTheFormatDoesNotSupport) {
 
 TEST(ImageFailure, RefusesSizesAndQualitiesThatTheFormatDoesNotSupport) {
   EXPECT_TRUE(contains(error_of([] { encode_image("a.webp", warp::Image(1, 16384)); }).what(), "16383"));
-  EXPECT_EQ(error_of([] { encode_image("a.png", warp::Image()); }).code(), ErrorCode::kUsage);
+  EXPECT_EQ(error_of([] { encode_image("a.png", warp::Image()); }).kind(), ErrorKind::kUnsupported);
   WriteOptions options;
   options.quality = 0;
-  EXPECT_EQ(error_of([&] { encode_image("a.jpg", warp::Image(1, 1, warp::Pixel()), options); }).code(),
-            ErrorCode::kUsage);
+  EXPECT_EQ(error_of([&] { encode_image("a.jpg", warp::Image(1, 1, warp::Pixel()), options); }).kind(),
+            ErrorKind::kUnsupported);
 }
 
 TEST(ImageFailure, FullDisk) {
@@ -230,7 +230,7 @@ TEST(ImageFailure, FullDisk) {
     SCOPED_TRACE(extension);
     const Error error =
         error_of([&] { write_image(folder / (std::string("a").append(extension)), random_image(400, 300, false, 1)); });
-    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
     EXPECT_TRUE(contains(error.what(), "No space left on device")) << error.what();
     EXPECT_EQ(folder.names().size(), 0U);
   }

@@ -50,7 +50,7 @@ TEST(VideoFailure, AMissingFfmpegIsReportedWithARemedy) {
   const Environment path("PATH", empty.path().string());
   for (const char* name : {"out.mp4", "out.gif"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), false); });
-    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
     EXPECT_EQ(error.place(), (folder / name).string());
     for (const char* word : {"ffmpeg", "not on PATH", "apt-get install ffmpeg", "frame.%04d.png"})
       EXPECT_NE(error.message().find(word), std::string::npos) << error.message();
@@ -64,7 +64,7 @@ TEST(VideoFailure, AnFfmpegThatCannotRunIsReported) {
   std::ofstream(programs / "ffmpeg") << "not executable";
   const Environment path("PATH", programs.path().string());
   const Error error = error_of([&] { open_sink(folder / "out.mp4", options(), false); });
-  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_EQ(error.kind(), ErrorKind::kIo);
   EXPECT_NE(error.message().find("cannot be started: Permission denied"), std::string::npos) << error.message();
   expect_nothing_left(folder);
 }
@@ -73,7 +73,7 @@ TEST(VideoFailure, AnFfmpegThatDiesAtOnceIsQuoted) {
   const TempFolder folder;
   const FakeFfmpeg fake("echo 'Unknown encoder libx264' >&2; exit 3");
   const Error error = failure_of(folder / "out.mp4");
-  EXPECT_EQ(error.code(), ErrorCode::kFailed);
+  EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   EXPECT_EQ(error.place(), (folder / "out.mp4").string());
   EXPECT_NE(error.message().find("ended with status 3"), std::string::npos) << error.message();
   EXPECT_NE(error.message().find("Unknown encoder libx264"), std::string::npos) << error.message();
@@ -84,7 +84,7 @@ TEST(VideoFailure, AnFfmpegThatDiesInTheMiddleIsQuoted) {
   const TempFolder folder;
   const FakeFfmpeg fake("head -c 100000 > /dev/null; echo 'half way' >&2; kill -9 $$");
   const Error error = failure_of(folder / "out.mkv");
-  EXPECT_EQ(error.code(), ErrorCode::kFailed);
+  EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   EXPECT_NE(error.message().find("ended by signal 9"), std::string::npos) << error.message();
   EXPECT_NE(error.message().find("half way"), std::string::npos) << error.message();
   expect_nothing_left(folder);
@@ -94,7 +94,7 @@ TEST(VideoFailure, AnFfmpegThatClosesItsInputAndSaysNothing) {
   const TempFolder folder;
   const FakeFfmpeg fake("exec 0<&-; exit 0");
   const Error error = failure_of(folder / "out.webm");
-  EXPECT_EQ(error.code(), ErrorCode::kFailed);
+  EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   expect_nothing_left(folder);
 }
 
@@ -102,7 +102,7 @@ TEST(VideoFailure, AnFfmpegThatWritesNothingIsAFailure) {
   const TempFolder folder;
   const FakeFfmpeg fake("cat > /dev/null");
   const Error error = failure_of(folder / "out.webm");
-  EXPECT_EQ(error.code(), ErrorCode::kFailed);
+  EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   EXPECT_NE(error.message().find("written nothing"), std::string::npos) << error.message();
   expect_nothing_left(folder);
 }
@@ -111,7 +111,7 @@ TEST(VideoFailure, AFullDiskIsAnInputOutputError) {
   const TempFolder folder;
   const FakeFfmpeg fake("cat > /dev/null; echo 'Error writing trailer: No space left on device' >&2; exit 1");
   const Error error = failure_of(folder / "out.mp4");
-  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_EQ(error.kind(), ErrorKind::kIo);
   EXPECT_NE(error.message().find("No space left on device"), std::string::npos) << error.message();
   expect_nothing_left(folder);
 }
@@ -126,7 +126,7 @@ TEST(VideoFailure, ARealFfmpegThatCannotWriteIsNoticed) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   for (const char* name : {"o.mp4", "o.webm", "o.mkv", "o.mov", "o.gif", "o.apng"}) {
     const Error error = failure_of(folder / name);
-    EXPECT_EQ(error.code(), ErrorCode::kFailed) << name;
+    EXPECT_EQ(error.kind(), ErrorKind::kFailed) << name;
     EXPECT_NE(error.message().find("File too large"), std::string::npos) << error.message();
   }
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
@@ -164,7 +164,7 @@ TEST(VideoFailure, WithoutOverwriteAnExistingVideoIsRefusedAtOnce) {
   const TempFolder folder;
   std::ofstream(folder / "o.mp4") << "old";
   const Error error = error_of([&] { open_sink(folder / "o.mp4", options(), false); });
-  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_EQ(error.kind(), ErrorKind::kIo);
   EXPECT_NE(std::string(error.what()).find("o.mp4"), std::string::npos);
   EXPECT_EQ(read_bytes(folder / "o.mp4").size(), 3U);
   EXPECT_EQ(folder.names().size(), 1U);
@@ -173,7 +173,7 @@ TEST(VideoFailure, WithoutOverwriteAnExistingVideoIsRefusedAtOnce) {
 TEST(VideoFailure, NoFramesMakeNoVideo) {
   const TempFolder folder;
   const Error error = error_of([&] { open_sink(folder / "o.mp4", options(), false)->finish(); });
-  EXPECT_EQ(error.code(), ErrorCode::kFailed);
+  EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   expect_nothing_left(folder);
 }
 
@@ -185,7 +185,7 @@ TEST(VideoFailure, ImpossibleOptionsAreRefused) {
     how.fps_den = den;
     how.video_quality = quality;
     const Error error = error_of([&] { open_sink(folder / name, how, false); });
-    EXPECT_EQ(error.code(), ErrorCode::kUsage);
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
     return error.message();
   };
   EXPECT_NE(refusal("o.mp4", 24, 1, 52).find("0 (best) to 51"), std::string::npos);

@@ -63,7 +63,7 @@ TEST(FileSink, AFrameThatExistsIsRefusedUnlessOverwriting) {
   std::ofstream(folder / "f.1.png") << "keep me";
   const warp::Image image = moving_picture({kWidth, kHeight}, 0);
   const Error error = error_of([&] { write_frame(*open_sink(folder / "f.%d.png", options(), false), 1, image); });
-  EXPECT_EQ(error.code(), ErrorCode::kIo);
+  EXPECT_EQ(error.kind(), ErrorKind::kIo);
   EXPECT_NE(std::string(error.what()).find("f.1.png"), std::string::npos);
   EXPECT_EQ(read_bytes(folder / "f.1.png").size(), 7U);
   SinkOptions overwriting = options();
@@ -85,9 +85,9 @@ TEST(FileSink, ASingleFrameTakesAPlainName) {
 TEST(FileSink, SeveralFramesNeedAPlaceForTheNumber) {
   const TempFolder folder;
   const Error error = error_of([&] { open_sink(folder / "still.png", options(), false); });
-  EXPECT_EQ(error.code(), ErrorCode::kUsage);
+  EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
   EXPECT_NE(error.message().find("still.%04d.png"), std::string::npos) << error.message();
-  EXPECT_EQ(error_of([&] { open_sink(folder / "a.%d.%d.png", options(), false); }).code(), ErrorCode::kUsage);
+  EXPECT_EQ(error_of([&] { open_sink(folder / "a.%d.%d.png", options(), false); }).kind(), ErrorKind::kUnsupported);
 }
 
 TEST(FileSink, AnImageOfAnotherSizeIsABrokenContract) {
@@ -101,12 +101,12 @@ TEST(OpenSink, AnUnknownKindIsRefusedWithTheChoices) {
   const TempFolder folder;
   for (const char* name : {"out.avi", "out", "out.%04d", "out.%04d.xyz", "out.txt"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), true); });
-    EXPECT_EQ(error.code(), ErrorCode::kUsage) << name;
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported) << name;
     for (const char* choice : {".mp4", ".webm", ".mkv", ".mov", ".gif", ".apng", "frame.%04d.png"})
       EXPECT_NE(error.message().find(choice), std::string::npos) << error.message();
   }
   const Error numbered = error_of([&] { open_sink(folder / "out.%04d.mp4", options(), false); });
-  EXPECT_EQ(numbered.code(), ErrorCode::kUsage);
+  EXPECT_EQ(numbered.kind(), ErrorKind::kUnsupported);
   EXPECT_NE(numbered.message().find("one file"), std::string::npos);
   EXPECT_TRUE(folder.names().empty());
 }
@@ -118,7 +118,7 @@ TEST(OpenSink, RefusesOptionsThatTheKindDoesNotSupport) {
     how.preset = preset;
     how.image.compression = compression;
     const Error error = error_of([&] { open_sink(folder / name, how, false); });
-    EXPECT_EQ(error.code(), ErrorCode::kUsage) << name;
+    EXPECT_EQ(error.kind(), ErrorKind::kUnsupported) << name;
     EXPECT_EQ(error.place(), (folder / name).string());
     return error.message();
   };
@@ -133,7 +133,7 @@ TEST(OpenSink, RefusesOptionsThatTheKindDoesNotSupport) {
   EXPECT_NE(refusal("f.%d.png", "", 10).find("0 (none) to 9"), std::string::npos);
   SinkOptions half = options();
   half.image.depth = Depth::kHalf;
-  EXPECT_EQ(error_of([&] { open_sink(folder / "f.%d.png", half, false); }).code(), ErrorCode::kUsage);
+  EXPECT_EQ(error_of([&] { open_sink(folder / "f.%d.png", half, false); }).kind(), ErrorKind::kUnsupported);
   EXPECT_TRUE(folder.names().empty());
 }
 
@@ -142,7 +142,7 @@ TEST(OpenSink, AMissingFolderIsNamed) {
   std::ofstream(folder / "file") << "x";
   for (const char* name : {"none/f.%d.png", "none/still.png", "none/out.mp4", "file/f.%d.png", "file/out.mp4"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), true); });
-    EXPECT_EQ(error.code(), ErrorCode::kIo) << name;
+    EXPECT_EQ(error.kind(), ErrorKind::kIo) << name;
     EXPECT_NE(std::string(error.what()).find((folder / name).parent_path().string()), std::string::npos)
         << error.what();
   }
@@ -161,7 +161,7 @@ TEST(OpenSink, AFolderThatCannotBeWrittenIsNamed) {
   ASSERT_EQ(root ? ::seteuid(kNobody) : 0, 0);
   for (const char* name : {"f.%d.png", "out.mp4"}) {
     const Error error = error_of([&] { open_sink(locked / name, options(), false); });
-    EXPECT_EQ(error.code(), ErrorCode::kIo) << name;
+    EXPECT_EQ(error.kind(), ErrorKind::kIo) << name;
     EXPECT_NE(std::string(error.what()).find(locked.string()), std::string::npos) << error.what();
   }
   ASSERT_EQ(root ? ::seteuid(0) : 0, 0);

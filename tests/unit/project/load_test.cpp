@@ -28,7 +28,7 @@ void expect_bad(const Bad& bad) {
     parse(bad.text, "dir/pair.json");
     FAIL() << "was accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_EQ(error.place(), bad.pointer.empty() ? "dir/pair.json" : "dir/pair.json: " + bad.pointer);
     EXPECT_NE(error.message().find(bad.says), std::string::npos) << error.message();
   }
@@ -41,7 +41,7 @@ void expect_syntax_error(const std::string& text, const std::string& place, cons
     parse(text, "pair.json");
     FAIL() << "was accepted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_EQ(error.place(), place);
     EXPECT_NE(error.message().find(says), std::string::npos) << error.message();
     EXPECT_LT(error.message().size(), 300U);
@@ -268,14 +268,14 @@ class LoadFile : public ::testing::Test {
     std::ofstream(path, std::ios::binary) << text;
     return path;
   }
-  static ErrorCode code_of(const std::filesystem::path& file) {
+  static ErrorKind code_of(const std::filesystem::path& file) {
     try {
       load(file);
     } catch (const Error& error) {
       EXPECT_EQ(error.place().find(file.string()), 0U) << error.what();
-      return error.code();
+      return error.kind();
     }
-    return ErrorCode::kUsage;
+    return ErrorKind::kFailed;
   }
   test::TemporaryFolder directory_;
 };
@@ -290,13 +290,13 @@ TEST_F(LoadFile, RemembersWhereItCameFrom) {
 }
 
 TEST_F(LoadFile, MissingDirectoryAndUnreadable) {
-  EXPECT_EQ(code_of(directory_.path() / "missing.json"), ErrorCode::kIo);
-  EXPECT_EQ(code_of(directory_.path()), ErrorCode::kIo);
-  EXPECT_EQ(code_of(write("empty.json", "")), ErrorCode::kBadInput);
+  EXPECT_EQ(code_of(directory_.path() / "missing.json"), ErrorKind::kIo);
+  EXPECT_EQ(code_of(directory_.path()), ErrorKind::kIo);
+  EXPECT_EQ(code_of(write("empty.json", "")), ErrorKind::kBadInput);
   const auto secret = write("secret.json", testing::kFull);
   std::filesystem::permissions(secret, std::filesystem::perms::none);
   if (::geteuid() != 0) {  // root reads everything
-    EXPECT_EQ(code_of(secret), ErrorCode::kIo);
+    EXPECT_EQ(code_of(secret), ErrorKind::kIo);
   }
 }
 

@@ -288,14 +288,14 @@ class Save : public ::testing::Test {
     const std::filesystem::directory_iterator list(directory_.path());
     return static_cast<std::size_t>(std::distance(begin(list), end(list)));
   }
-  static ErrorCode code_of(const std::filesystem::path& file) {
+  static ErrorKind code_of(const std::filesystem::path& file) {
     try {
       save(parse(testing::kFull, ""), file);
     } catch (const Error& error) {
       EXPECT_EQ(error.place(), file.string());
-      return error.code();
+      return error.kind();
     }
-    return ErrorCode::kUsage;
+    return ErrorKind::kFailed;
   }
   test::TemporaryFolder directory_;
 };
@@ -335,8 +335,8 @@ TEST_F(Save, ReplacesOnlyWhatItMay) {
 }
 
 TEST_F(Save, FailuresLeaveNothingBehind) {
-  EXPECT_EQ(code_of(directory_.path() / "missing" / "pair.json"), ErrorCode::kIo);
-  EXPECT_EQ(code_of(directory_.path()), ErrorCode::kIo);
+  EXPECT_EQ(code_of(directory_.path() / "missing" / "pair.json"), ErrorKind::kIo);
+  EXPECT_EQ(code_of(directory_.path()), ErrorKind::kIo);
   EXPECT_EQ(files(), 0U);
 }
 

@@ -16,7 +16,7 @@ std::string refusal(const std::string& path, const std::string& value) {
   try {
     set_value(project, path, value);
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
     EXPECT_TRUE(same_document(project, before));
     return error.place() + ": " + error.message();
   }

@@ -191,7 +191,7 @@ TEST(MeshWarper, ABorderVertexOffTheBorderIsNamed) {
   project::Project project = mesh_project();
   project.mesh->vertices[project::kDestination][3] = {48, 2};
   const Error error = error_of([&] { Renderer(project, pictures(random_image(kSize, 15), random_image(kSize, 16))); });
-  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
   EXPECT_TRUE(contains(error.what(), "pair.json: /mesh/destination/3: the vertex in column 3, row 0")) << error.what();
 }
 
@@ -202,7 +202,7 @@ TEST(MeshWarper, AFoldIsNamedUnlessItIsAllowed) {
   source.at(3, 2).x = source.at(2, 2).x - 1;
   project.mesh->vertices[project::kSource] = source.vertices;
   const Error error = error_of([&] { Renderer(project, both); });
-  EXPECT_EQ(error.code(), ErrorCode::kBadInput);
+  EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
   EXPECT_FALSE(contains(error.what(), "--")) << "libraries know no options: " << error.what();
   EXPECT_TRUE(contains(error.what(), "/mesh/source/17: the source mesh folds over: the vertex in column 3, row 2"))
       << error.what();

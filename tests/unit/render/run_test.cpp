@@ -35,7 +35,7 @@ class MemorySink : public media::FrameSink {
     EXPECT_EQ(packet, Packet(1, static_cast<std::uint8_t>(frame)));
     order.push_back(frame);
     --alive;
-    if (fail_at == frame) throw Error(ErrorCode::kIo, "sink", "full");
+    if (fail_at == frame) throw Error(ErrorKind::kIo, "sink", "full");
   }
   void finish() override { finished = true; }
   bool has(int frame) const override { return present.contains(frame); }
@@ -101,7 +101,7 @@ TEST(Run, CancellingDeliversWhatWasBegunAndDoesNotFinish) {
     run(renderer(), sink, options);
     FAIL() << "not interrupted";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kInterrupted);
+    EXPECT_EQ(error.kind(), ErrorKind::kInterrupted);
   }
   EXPECT_FALSE(sink.finished);
   EXPECT_EQ(sink.alive, 0);

@@ -71,7 +71,7 @@ TEST_F(Write, RefusesToReplaceSomebodysProject) {
     write(tiny(), folder_, false);
     FAIL() << "replaced it";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
     EXPECT_NE(std::string(error.what()).find("tiny.json"), std::string::npos);
   }
   EXPECT_EQ(text_of(folder_ / "tiny.json"), "mine");
@@ -96,7 +96,7 @@ TEST_F(Write, NamesTheFolderThatCannotBeMade) {
     write(tiny(), folder_ / "file", false);
     FAIL() << "wrote into a file";
   } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kIo);
+    EXPECT_EQ(error.kind(), ErrorKind::kIo);
     EXPECT_EQ(error.place(), (folder_ / "file").string());
   }
 }
