@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/project_argument.h"
-#include "morph/media/image_file.h"
+#include "morph/job/pictures.h"
 #include "morph/project/project.h"
 
 namespace morphkit::cli {
@@ -37,6 +37,7 @@ int run_morph(const MorphOptions& options, Output& output);
 
 /// Tells of pixels that are NaN or infinite, if there are any.
 void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);
+void warn_of_nonfinite(const project::Project& project, const job::Pictures& pictures, Output& output);
 
 /// Warns of every setting that the project's method does not use.
 void warn_of_unused_settings(const project::Project& project, Output& output);

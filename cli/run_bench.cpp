@@ -23,6 +23,7 @@
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "morph/job/pictures.h"
 #include "morph/media/frame_sink.h"
 #include "morph/project/words.h"
 #include "morph/render/compose.h"
@@ -124,7 +125,7 @@ void add_random_lines(int lines, cv::Size size, project::Project& project) {
 
 struct Material {
   project::Project project;
-  render::Pictures pictures;
+  render::Footage footage;
 };
 
 Material painted_material(const BenchOptions& options) {
@@ -133,8 +134,8 @@ Material painted_material(const BenchOptions& options) {
   apply_changes(options.changes, material.project);
   const cv::Size size = material.project.output.size.value_or(kUsualSize);
   add_random_lines(options.lines.value_or(kUsualLines), size, material.project);
-  material.pictures.source.image = painted(size, kSeed);
-  material.pictures.destination.image = painted(size, kSeed + 1);
+  for (const unsigned seed : {kSeed, kSeed + 1})
+    material.footage.pictures.push_back(render::in_memory(painted(size, seed)));
   return material;
 }
 
@@ -143,7 +144,7 @@ Material make_material(const BenchOptions& options) {
   if (options.lines) throw ArgumentError("--lines", "goes without a project; a project has its own features");
   Material material;
   material.project = load_project(options.project, options.changes);
-  material.pictures = render::load_pictures(material.project);
+  material.footage = job::footage_of(job::load_pictures(material.project));
   return material;
 }
 
@@ -251,7 +252,7 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
 
 int run_bench(const BenchOptions& options, Output& output) {
   Material material = make_material(options);
-  const render::Renderer renderer(std::move(material.project), material.pictures);
+  const render::Renderer renderer(std::move(material.project), material.footage);
   const std::vector<Timing> timings = as_asked([&] { return measure(renderer); });
   options.json ? print_json(renderer, timings, output) : print_text(renderer, timings, output);
   return 0;

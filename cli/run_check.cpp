@@ -10,6 +10,7 @@
 #include "cli/exit_code.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "morph/job/pictures.h"
 #include "morph/render/check.h"
 
 namespace morphkit::cli {
@@ -53,16 +54,14 @@ void print_text(const std::vector<render::Finding>& findings, const std::vector<
 
 int run_check(const CheckOptions& options, Output& output) {
   const project::Project project = load_project(options.project);
-  render::Pictures pictures = render::load_pictures(project);
+  const job::Pictures pictures = job::load_pictures(project);
   std::vector<std::string> notes;
-  for (const auto& [side, picture] : {std::pair(&project.pictures[project::kSource], &pictures.source),
-                                      std::pair(&project.pictures[project::kDestination], &pictures.destination)})
-    if (picture->nonfinite_pixels > 0)
-      notes.push_back(
-          fmt::format("{}: {} pixels are NaN or infinite", side->image.string(), picture->nonfinite_pixels));
+  for (std::size_t side = 0; side < pictures.sides.size(); ++side)
+    if (const auto count = pictures.sides[side].nonfinite_pixels; count > 0)
+      notes.push_back(fmt::format("{}: {} pixels are NaN or infinite", project.pictures[side].image.string(), count));
   for (std::string& sentence : project::unused_settings(project)) notes.push_back(std::move(sentence));
   if (std::string note = unused_mesh_note(project); !note.empty()) notes.push_back(std::move(note));
-  const render::Renderer renderer(project, pictures, {.allow_folds = true});
+  const render::Renderer renderer(project, job::footage_of(pictures), {.allow_folds = true});
   const std::vector<render::Finding> findings = render::check(renderer);
   const bool good = std::none_of(findings.begin(), findings.end(), [](const auto& f) { return f.warning; });
   if (options.json)

@@ -14,6 +14,7 @@
 #include "cli/edit/window.h"
 #include "cli/exit_code.h"
 #include "cli/terminal.h"
+#include "morph/job/pictures.h"
 
 namespace morphkit::cli {
 namespace {
@@ -84,12 +85,11 @@ int run_edit(const EditOptions& options, Output& output) {
   project::Project project = project_to_edit(options);
   edit::require_savable(project);
   edit::require_display();
-  const render::Pictures pictures = render::load_pictures(project);
-  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
-  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+  const job::Pictures pictures = job::load_pictures(project);
+  warn_of_nonfinite(project, pictures, output);
   warn_of_unused_settings(project, output);
   output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
-  edit::Editor editor(std::move(project), pictures, window);
+  edit::Editor editor(std::move(project), job::footage_of(pictures), window);
   edit::run_window(editor);
   return 0;
 }

@@ -9,6 +9,7 @@
 #include "cli/frame_range.h"
 #include "cli/interrupt.h"
 #include "cli/terminal.h"
+#include "morph/job/pictures.h"
 #include "morph/media/frame_pattern.h"
 #include "morph/media/image_file.h"
 #include "morph/render/renderer.h"
@@ -48,7 +49,8 @@ int run_map(const MapOptions& options, Output& output) {
   if (options.t) require_moment(*options.t);
   const project::Project project = load_project(options.project);
   warn_of_unused_settings(project, output);
-  const render::Renderer renderer(project, render::load_pictures(project), {.allow_folds = options.allow_folds});
+  const render::Renderer renderer(project, job::footage_of(job::load_pictures(project)),
+                                  {.allow_folds = options.allow_folds});
   if (!options.t) return as_asked([&] { return write_frames(options, renderer, output); });
   as_asked([&] { write_moment(options, renderer, renderer.clock().at(*options.t), options.output); });
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));

@@ -14,18 +14,18 @@
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
+#include "morph/job/pictures.h"
+#include "morph/job/run.h"
 #include "morph/media/frame_pattern.h"
 #include "morph/media/frame_sink.h"
 #include "morph/media/image_file.h"
 #include "morph/render/renderer.h"
-#include "morph/render/run.h"
 
 namespace morphkit::cli {
 namespace {
 
-void say_what_was_read(const project::Project& project, const render::Pictures& pictures, Output& output) {
-  warn_of_nonfinite(project.pictures[project::kSource].image, pictures.source, output);
-  warn_of_nonfinite(project.pictures[project::kDestination].image, pictures.destination, output);
+void say_what_was_read(const project::Project& project, const job::Pictures& pictures, Output& output) {
+  warn_of_nonfinite(project, pictures, output);
   warn_of_unused_settings(project, output);
   if (project::method_name_of(project) != project::MethodName::kLines) return;
   if (const std::string note = unused_mesh_note(project); !note.empty())
@@ -37,20 +37,13 @@ void say_what_was_read(const project::Project& project, const render::Pictures& 
 }
 
 media::SinkOptions sink_options(const MorphOptions& options, const render::Renderer& renderer,
-                                std::shared_ptr<const media::Metadata> metadata) {
-  const project::Output& output = renderer.project().output;
-  media::SinkOptions sink;
-  sink.size = renderer.size();
-  sink.fps_num = output.fps.num;
-  sink.fps_den = output.fps.den;
-  sink.has_alpha = renderer.has_alpha();
-  sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
+                                const job::Pictures& pictures) {
+  media::SinkOptions sink = job::sink_options(renderer, pictures);
   sink.image.depth = media::depth_from(options.depth);
   sink.image.compression = options.compression;
   sink.preset = options.preset;
   // Resuming replaces what stands under a frame's name and is no frame.
   sink.image.overwrite = options.overwrite || options.resume;
-  sink.image.metadata = std::move(metadata);
   if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
   return sink;
 }
@@ -68,7 +61,7 @@ std::string size_text(cv::Size size) {
   return fmt::format("{}x{}", size.width, size.height);
 }
 
-void say_what_was_done(const MorphOptions& options, const render::Renderer& renderer, const render::Progress& done,
+void say_what_was_done(const MorphOptions& options, const render::Renderer& renderer, const job::Progress& done,
                        double elapsed_s, Output& output) {
   if (options.json) {
     Report report;
@@ -97,7 +90,7 @@ int render_moment(const MorphOptions& options, const render::Renderer& renderer,
 int render_frames(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink_options,
                   Output& output) {
   const int first = renderer.clock().first(), last = renderer.clock().last();
-  render::RunOptions run;
+  job::RunOptions run;
   run.frames =
       parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", first, last) : options.frames, first, last);
   run.resume = options.resume;
@@ -111,11 +104,11 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
   refuse_to_overwrite(*sink, run.frames, options);
 
   const auto start = std::chrono::steady_clock::now();
-  render::Progress done;
+  job::Progress done;
   {
     ProgressBar bar(output, "frames");
-    run.on_progress = [&](const render::Progress& p) { bar.update(p.done, p.skipped, p.total); };
-    done = render::run(renderer, *sink, run);
+    run.on_progress = [&](const job::Progress& p) { bar.update(p.done, p.skipped, p.total); };
+    done = job::run(renderer, *sink, run);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   say_what_was_done(options, renderer, done, elapsed.count(), output);
@@ -128,6 +121,11 @@ void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& 
   if (picture.nonfinite_pixels > 0)
     output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there", file.string(),
                                picture.nonfinite_pixels));
+}
+
+void warn_of_nonfinite(const project::Project& project, const job::Pictures& pictures, Output& output) {
+  for (std::size_t side = 0; side < pictures.sides.size(); ++side)
+    warn_of_nonfinite(project.pictures[side].image, pictures.sides[side], output);
 }
 
 void warn_of_unused_settings(const project::Project& project, Output& output) {
@@ -145,13 +143,12 @@ int run_morph(const MorphOptions& options, Output& output) {
   if (options.resume && options.overwrite)
     throw ArgumentError("--resume", "keeps what is there and --overwrite replaces it; choose one");
   project::Project project = load_project(options.project);
-  render::Pictures pictures = render::load_pictures(project);
+  const job::Pictures pictures = job::load_pictures(project);
   say_what_was_read(project, pictures, output);
-  const auto metadata = pictures.source.metadata;
-  const render::Renderer renderer(std::move(project), pictures, {.allow_folds = options.allow_folds});
+  const render::Renderer renderer(std::move(project), job::footage_of(pictures), {.allow_folds = options.allow_folds});
   output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
   return as_asked([&] {
-    const media::SinkOptions sink = sink_options(options, renderer, metadata);
+    const media::SinkOptions sink = sink_options(options, renderer, pictures);
     return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);
   });
 }

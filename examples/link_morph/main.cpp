@@ -3,8 +3,9 @@
 #include <cstdio>
 #include <exception>
 
+#include "morph/job/pictures.h"
+#include "morph/job/run.h"
 #include "morph/media/frame_sink.h"
-#include "morph/media/image_file.h"
 #include "morph/project/project.h"
 #include "morph/render/renderer.h"
 
@@ -12,27 +13,18 @@ using namespace morphkit;
 
 namespace {
 
-/// The picture of a side. Relative paths start at the project's folder.
-warp::Image picture_of(const project::Project& project, project::SideIndex side) {
-  return media::read_picture(project::resolve(project, project.pictures[side].image)).image;
-}
-
 void render_frames(const char* project_file, const char* pattern) {
   const project::Project project = project::load(project_file);
-  render::Pictures pictures;
-  pictures.source.image = picture_of(project, project::kSource);
-  pictures.destination.image = picture_of(project, project::kDestination);
-  const render::Renderer renderer(project, pictures);
+  const job::Pictures pictures = job::load_pictures(project);
+  const render::Renderer renderer(project, job::footage_of(pictures));
 
-  media::SinkOptions to;
-  to.size = renderer.size();
+  media::SinkOptions to = job::sink_options(renderer, pictures);
   to.image.overwrite = true;
   const auto sink = media::open_sink(pattern, to, false);
-  for (int frame = 1; frame <= project.output.frames; ++frame) {
-    sink->write(frame, sink->encode(frame, renderer.frame(renderer.time_of(frame))));
-    std::printf("frame %d of %d\n", frame, project.output.frames);
-  }
-  sink->finish();
+  job::RunOptions run;
+  for (int frame = renderer.clock().first(); frame <= renderer.clock().last(); ++frame) run.frames.push_back(frame);
+  run.on_progress = [](const job::Progress& p) { std::printf("frame %d, %d of %d\n", p.frame, p.done, p.total); };
+  job::run(renderer, *sink, run);
 }
 
 }  // namespace

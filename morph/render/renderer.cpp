@@ -11,16 +11,15 @@ Renderer::Renderer(project::Project project, std::shared_ptr<const Stage> stage,
     : body_(std::make_unique<const Body>(Body{project::Evaluator(project), std::move(project), std::move(stage)})),
       plan_(make_plan(body_->project, body_->moments, *body_->stage, options.allow_folds)) {}
 
-Renderer::Renderer(project::Project project, const Pictures& pictures, const RendererOptions& options)
-    : Renderer(project, std::make_shared<const Stage>(make_stage(project, pictures)), options) {
-  const auto transparent = [](const media::Picture& picture, const StageSide& side) {
-    return picture.info.has_alpha || picture.nonfinite_pixels > 0 || side.border == warp::Border::kTransparent;
-  };
+Renderer::Renderer(project::Project project, const Footage& footage, const RendererOptions& options)
+    : Renderer(project, std::make_shared<const Stage>(make_stage(project, footage)), options) {
+  bool transparent = false;
+  for (SideIndex side = 0; side < footage.pictures.size(); ++side)
+    transparent |= footage.pictures[side].has_alpha || stage().sides[side].border == warp::Border::kTransparent;
   const warp::Image& behind = stage().behind;
   const bool opaque_behind =
-      pictures.background ? !pictures.background->info.has_alpha : !behind.empty() && behind(0, 0)[3] >= 1;
-  has_alpha_ = !opaque_behind && (transparent(pictures.source, stage().sides[kSource]) ||
-                                  transparent(pictures.destination, stage().sides[kDestination]));
+      footage.background ? !footage.background->has_alpha : !behind.empty() && behind(0, 0)[3] >= 1;
+  has_alpha_ = !opaque_behind && transparent;
 }
 
 Renderer::~Renderer() = default;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include <opencv2/imgproc.hpp>
 
@@ -11,12 +12,6 @@
 
 namespace morphkit::render {
 namespace {
-
-media::Picture load(const project::Project& project, const project::Picture& side) {
-  const media::ColorSpace space =
-      side.colorspace.empty() ? media::ColorSpace::kAuto : media::color_space_from(side.colorspace);
-  return media::read_picture(project::resolve(project, side.image), space);
-}
 
 /// Where a picture lies in a view of the canvas.
 Placement seen(const Placement& on_canvas, const CanvasView& view) {
@@ -40,7 +35,7 @@ void hold(StageSide& side, const warp::Image& image, int most_area) {
                      scale.y * side.file_size.height / side.image.rows};
 }
 
-StageSide make_side(const project::Project& project, const ScaledPicture& picture, cv::Size canvas,
+StageSide make_side(const project::Project& project, const FootagePicture& picture, cv::Size canvas,
                     const CanvasView& view, int most_area) {
   StageSide side;
   side.file_size = picture.size;
@@ -52,10 +47,6 @@ StageSide make_side(const project::Project& project, const ScaledPicture& pictur
   return side;
 }
 
-ScaledPicture unscaled(const media::Picture& picture) {
-  return {picture.image.size(), [&](double) { return picture.image; }};
-}
-
 warp::Pixel premultiplied(const project::Color& color) {
   const auto alpha = static_cast<float>(color.a);
   return {warp::linear_from_srgb(static_cast<float>(color.r)) * alpha,
@@ -64,8 +55,8 @@ warp::Pixel premultiplied(const project::Color& color) {
 }
 
 /// What lies behind a view of the canvas, as Stage::behind.
-warp::Image background_of(const project::Project& project, const std::optional<ScaledPicture>& picture, cv::Size canvas,
-                          const CanvasView& view) {
+warp::Image background_of(const project::Project& project, const std::optional<FootagePicture>& picture,
+                          cv::Size canvas, const CanvasView& view) {
   if (const auto* color = std::get_if<project::Color>(&project.output.background))
     return color->a > 0 ? warp::Image(1, 1, premultiplied(*color)) : warp::Image();
   if (!picture) return {};
@@ -88,40 +79,21 @@ const char* name_of(SideIndex side) {
   return side == kSource ? "source" : "destination";
 }
 
-Pictures load_pictures(const project::Project& project) {
-  // Reading a picture is the work of one thread; two pictures are that of two.
-  auto destination =
-      std::async(std::launch::async, [&] { return load(project, project.pictures[project::kDestination]); });
-  media::Picture source = load(project, project.pictures[project::kSource]);
-  Pictures pictures{std::move(source), destination.get(), {}};
-  if (const auto* file = std::get_if<std::filesystem::path>(&project.output.background))
-    pictures.background = media::read_picture(project::resolve(project, *file));
-  return pictures;
+cv::Size canvas_size(const project::Project& project, cv::Size first_picture) {
+  return project.output.size.value_or(first_picture);
 }
 
-cv::Size canvas_size(const project::Project& project, cv::Size source_picture) {
-  return project.output.size.value_or(source_picture);
-}
-
-Stage make_stage(const project::Project& project, const Pictures& pictures) {
-  const cv::Size size = canvas_size(project, pictures.source.image.size());
-  constexpr int kAnyArea = std::numeric_limits<int>::max();
-  const CanvasView whole{size, 1, {}};
-  Stage stage{size, 1, {}, {}};
-  for (const auto* picture : {&pictures.source, &pictures.destination})
-    stage.sides.push_back(make_side(project, unscaled(*picture), size, whole, kAnyArea));
-  stage.behind = background_of(
-      project, pictures.background ? std::optional(unscaled(*pictures.background)) : std::nullopt, size, whole);
-  return stage;
-}
-
-Stage make_stage(const project::Project& project, std::span<const ScaledPicture> pictures,
-                 const std::optional<ScaledPicture>& background, const CanvasView& view) {
-  const cv::Size canvas = canvas_size(project, pictures.front().size);
-  Stage stage{view.size, 1 / view.zoom, {}, {}};
-  for (const ScaledPicture& picture : pictures)
-    stage.sides.push_back(make_side(project, picture, canvas, view, kReducedAreaPx));
-  stage.behind = background_of(project, background, canvas, view);
+Stage make_stage(const project::Project& project, const Footage& footage, const std::optional<CanvasView>& view) {
+  if (footage.pictures.size() != project.pictures.size())
+    throw std::invalid_argument("make_stage: " + std::to_string(footage.pictures.size()) +
+                                " pictures for a project of " + std::to_string(project.pictures.size()));
+  const cv::Size canvas = canvas_size(project, footage.pictures.front().size);
+  const CanvasView seen_part = view.value_or(CanvasView{canvas, 1, {}});
+  const int most_area = view ? kReducedAreaPx : std::numeric_limits<int>::max();
+  Stage stage{seen_part.size, 1 / seen_part.zoom, {}, {}};
+  for (const FootagePicture& picture : footage.pictures)
+    stage.sides.push_back(make_side(project, picture, canvas, seen_part, most_area));
+  stage.behind = background_of(project, footage.background, canvas, seen_part);
   return stage;
 }
 

@@ -130,9 +130,7 @@ const Widget& widget(const Layout& layout, const Action& action) {
 
 void play(cv::Size size, int features) {
   const double begin = now_ms();
-  render::Pictures pictures;
-  pictures.source.image = painted(size, 1);
-  pictures.destination.image = painted(size, 2);
+  const render::Footage pictures{{render::in_memory(painted(size, 1)), render::in_memory(painted(size, 2))}, {}};
   const double painted_at = now_ms();
   Editor editor(marked(size, features), pictures, kCanvas);
   editor.turn(0);

@@ -53,11 +53,9 @@ void whole_frame(benchmark::State& state) {
   set_threads(static_cast<int>(state.range(1)));
   project::Project project = random_project(static_cast<int>(state.range(0)));
   project.warp.filter = static_cast<warp::Filter>(state.range(2));
-  Pictures pictures;
-  pictures.source.image = noise(1);
-  pictures.destination.image = noise(2);
-  const Renderer renderer(project, pictures);
-  if (cv::norm(renderer.frame(renderer.clock().at(0)), pictures.source.image, cv::NORM_INF) != 0)
+  const warp::Image source = noise(1);
+  const Renderer renderer(project, {{in_memory(source), in_memory(noise(2))}, {}});
+  if (cv::norm(renderer.frame(renderer.clock().at(0)), source, cv::NORM_INF) != 0)
     state.SkipWithError("t = 0 is not the source");
   for (auto _ : state) benchmark::DoNotOptimize(renderer.frame(renderer.clock().at(0.5)));
   state.SetItemsProcessed(state.iterations() * kWidth * kHeight);

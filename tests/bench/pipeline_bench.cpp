@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "morph/job/run.h"
 #include "morph/media/frame_sink.h"
-#include "morph/render/run.h"
 
-namespace morphkit::render {
+namespace morphkit::job {
 namespace {
 
 /// The cost of one run. CPU times include programs that have ended.
@@ -47,7 +47,10 @@ Cost cost_of(const std::function<void()>& work) {
 
 class Job {
  public:
-  Job(const char* project, const char* output) : renderer_(load(project)), output_(output) {
+  Job(const char* project_file, const char* output) : Job(project::load(project_file), output) {}
+
+  Job(const project::Project& project, const char* output)
+      : pictures_(load_pictures(project)), renderer_(project, footage_of(pictures_)), output_(output) {
     const project::Output& out = renderer_.project().output;
     frames_.resize(static_cast<std::size_t>(out.frames));
     std::iota(frames_.begin(), frames_.end(), out.start);
@@ -89,26 +92,16 @@ class Job {
   }
 
  private:
-  static Renderer load(const char* file) {
-    project::Project project = project::load(file);
-    const Pictures pictures = load_pictures(project);
-    return {std::move(project), pictures};
-  }
-
   static int in_flight() { return threads() + 3; }
 
   std::unique_ptr<media::FrameSink> sink() const {
-    media::SinkOptions options;
-    options.size = renderer_.size();
-    options.fps_num = renderer_.project().output.fps.num;
-    options.fps_den = renderer_.project().output.fps.den;
-    options.has_alpha = renderer_.has_alpha();
-    options.image.alpha = renderer_.has_alpha();
+    media::SinkOptions options = sink_options(renderer_, pictures_);
     options.image.overwrite = true;
     return media::open_sink(output_, options, count() == 1);
   }
 
-  Renderer renderer_;
+  Pictures pictures_;
+  render::Renderer renderer_;
   const char* output_;
   std::vector<int> frames_;
   std::vector<warp::Image> kept_;
@@ -147,7 +140,7 @@ void compare(const char* project, const char* output, int repetitions) {
 }
 
 }  // namespace
-}  // namespace morphkit::render
+}  // namespace morphkit::job
 
 int main(int argc, char** argv) {
   if (argc < 3) {
@@ -155,7 +148,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    morphkit::render::compare(argv[1], argv[2], argc > 3 ? std::max(1, std::atoi(argv[3])) : 3);
+    morphkit::job::compare(argv[1], argv[2], argc > 3 ? std::max(1, std::atoi(argv[3])) : 3);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_pipeline: %s\n", error.what());
     return 1;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "morph/job/pictures.h"
 #include "morph/media/image_file.h"
 #include "morph/project/project.h"
 #include "morph/render/check.h"
@@ -49,7 +50,7 @@ TEST_P(Golden, LooksAsItDid) {
   const test::TemporaryFolder folder;
 
   const project::Project project = small(project::load(samples::write(painted(sample), folder.path(), true)));
-  const render::Renderer renderer(project, render::load_pictures(project));
+  const render::Renderer renderer(project, job::footage_of(job::load_pictures(project)));
   const fs::path file = folder / (name + ".png");
   media::write_image(file, renderer.frame(renderer.clock().at(t)));
   test::expect_golden(name, file);
@@ -66,7 +67,7 @@ class SampleCheck : public testing::TestWithParam<std::string> {};
 TEST_P(SampleCheck, HasNoFindings) {
   const test::TemporaryFolder folder;
   const project::Project project = project::load(samples::write(painted(GetParam()), folder.path(), true));
-  const render::Renderer renderer(project, render::load_pictures(project));
+  const render::Renderer renderer(project, job::footage_of(job::load_pictures(project)));
   for (const render::Finding& finding : render::check(renderer)) ADD_FAILURE() << finding.message;
 }
 

@@ -25,12 +25,8 @@ inline warp::Image random_image(cv::Size size, unsigned seed, bool with_alpha = 
   return image;
 }
 
-inline render::Pictures pictures(warp::Image source, warp::Image destination, bool with_alpha = false) {
-  render::Pictures result;
-  result.source.image = std::move(source);
-  result.destination.image = std::move(destination);
-  result.source.info.has_alpha = result.destination.info.has_alpha = with_alpha;
-  return result;
+inline render::Footage pictures(const warp::Image& source, const warp::Image& destination, bool with_alpha = false) {
+  return {{render::in_memory(source, with_alpha), render::in_memory(destination, with_alpha)}, {}};
 }
 
 /// The frame at progress t.

@@ -50,10 +50,10 @@ project::Project beginning(const project::Project& project) {
 
 }  // namespace
 
-Editor::Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas)
-    : source_(pictures.source.image),
-      destination_(pictures.destination.image),
-      background_(pictures.background ? std::optional<Pyramid>(pictures.background->image) : std::nullopt),
+Editor::Editor(project::Project project, const render::Footage& footage, cv::Size canvas)
+    : source_(footage.pictures[project::kSource].at(1)),
+      destination_(footage.pictures[project::kDestination].at(1)),
+      background_(footage.background ? std::optional<Pyramid>(footage.background->at(1)) : std::nullopt),
       model_(beginning(project), source_.size(), destination_.size(), canvas),
       gestures_(model_, edges_of(source_, destination_)),
       storage_(model_.document.project()),

@@ -14,7 +14,7 @@
 #include "cli/edit/view/model.h"
 #include "cli/edit/view/preview_thread.h"
 #include "cli/edit/view/pyramid.h"
-#include "morph/render/stage.h"
+#include "morph/render/footage.h"
 
 namespace morphkit::edit {
 
@@ -26,9 +26,9 @@ inline constexpr double kFileCheckEvery = 1;
 class Editor {
  public:
   /// @param project   its `file` need not exist.
-  /// @param pictures  the pictures of the project; their pixels are shared.
+  /// @param footage   the pictures of the project; their pixels are shared.
   /// @param canvas    size of the window, px, at least kLeastCanvas.
-  Editor(project::Project project, const render::Pictures& pictures, cv::Size canvas);
+  Editor(project::Project project, const render::Footage& footage, cv::Size canvas);
 
   void mouse(const Mouse& event);
   void key(int key);

@@ -1,7 +1,6 @@
 #include "cli/edit/view/preview.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -21,8 +20,8 @@ constexpr double kGridCells = 20;         ///< of the displacement grid, over th
 const cv::Vec3b kFoldColor(40, 40, 235);  ///< BGR
 const cv::Vec3b kGridColor(235, 235, 235);
 
-render::ScaledPicture scaled(const Pyramid& pyramid) {
-  return {pyramid.size(), [&](double scale) { return pyramid.light(scale); }};
+render::FootagePicture scaled(const Pyramid& pyramid) {
+  return {pyramid.size(), [&](double scale) { return pyramid.light(scale); }, true};
 }
 
 /// What of the pane shows a part of the canvas that is rendered.
@@ -146,10 +145,10 @@ const std::shared_ptr<const render::Stage>& PreviewRenderer::stage_of(const Prev
                     placed->view.origin == view.origin && placed->border == project.warp.border &&
                     placed->output == project.output;
   if (same) return placed->stage;
-  const std::array sides{scaled(source_), scaled(destination_)};
-  const auto background = background_ ? std::optional(scaled(*background_)) : std::nullopt;
+  const render::Footage footage{{scaled(source_), scaled(destination_)},
+                                background_ ? std::optional(scaled(*background_)) : std::nullopt};
   placed = Placed{view, project.warp.border, project.output,
-                  std::make_shared<const render::Stage>(render::make_stage(project, sides, background, view))};
+                  std::make_shared<const render::Stage>(render::make_stage(project, footage, view))};
   return placed->stage;
 }
 

@@ -14,10 +14,8 @@ int main() {
     "features": [{"id": "edge", "line": {"source": [[4, 4], [12, 4]], "destination": [[4, 8], [12, 9]]}}]
   })",
                                       "in memory.json");
-  render::Pictures pictures;
-  pictures.source.image = warp::Image(16, 16, warp::Pixel(0, 0, 0, 1));
-  pictures.destination.image = warp::Image(16, 16, warp::Pixel(1, 0.5f, 0.25f, 1));
-  const render::Renderer renderer(project, pictures);
+  const warp::Image dark(16, 16, warp::Pixel(0, 0, 0, 1)), light(16, 16, warp::Pixel(1, 0.5f, 0.25f, 1));
+  const render::Renderer renderer(project, {{render::in_memory(dark), render::in_memory(light)}, {}});
 
   const warp::Pixel middle = renderer.frame(renderer.clock().at(0.5))(8, 8), expected(0.5f, 0.25f, 0.125f, 1);
   if (cv::norm(middle - expected) < 1e-5) return 0;

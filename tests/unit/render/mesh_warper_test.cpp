@@ -128,7 +128,7 @@ TEST(MeshWarper, VerticesMoveInTheTimeOfTheirGroup) {
   project.groups.push_back({"late", {}, {}});
   project.groups.back().pace.shape = motion::Timing{motion::LinearEase{}, 0.5, 0.5};
   project.mesh->groups.push_back({"late", {{2, 2}}});
-  const Pictures both = pictures(random_image(kSize, 13), random_image(kSize, 14));
+  const Footage both = pictures(random_image(kSize, 13), random_image(kSize, 14));
   const Stage stage = make_stage(project, both);
   const project::Evaluator moments(project);
   const auto between_at = [&](double t) {
@@ -196,7 +196,7 @@ TEST(MeshWarper, ABorderVertexOffTheBorderIsNamed) {
 }
 
 TEST(MeshWarper, AFoldIsNamedUnlessItIsAllowed) {
-  const Pictures both = pictures(random_image(kSize, 17), random_image(kSize, 18));
+  const Footage both = pictures(random_image(kSize, 17), random_image(kSize, 18));
   project::Project project = mesh_project();
   warp::Mesh source{kColumns, kRows, project.mesh->vertices[project::kSource]};
   source.at(3, 2).x = source.at(2, 2).x - 1;
@@ -235,7 +235,7 @@ project::Project turning_project(double angle_rad) {
 
 TEST(MeshWarper, ATurnIsABottleneck) {
   const cv::Size size(128, 128);
-  const Pictures both = pictures(random_image(size, 19), random_image(size, 20));
+  const Footage both = pictures(random_image(size, 19), random_image(size, 20));
   const auto kinds = [&](double degrees) {
     std::vector<std::string> names;
     const project::Project project = turning_project(degrees * 3.14159265358979 / 180);
@@ -304,7 +304,7 @@ TEST(MeshWarper, ItsProblemsAreThoseOfItsMoment) {
 }
 
 TEST(MeshWarper, CheckNamesFoldedVertices) {
-  const Pictures both = pictures(random_image(kSize, 21), random_image(kSize, 22));
+  const Footage both = pictures(random_image(kSize, 21), random_image(kSize, 22));
   project::Project project = mesh_project();
   EXPECT_TRUE(check(Renderer(project, both)).empty());
   warp::Mesh destination{kColumns, kRows, project.mesh->vertices[project::kDestination]};

@@ -126,9 +126,8 @@ TEST(Renderer, LargeBackgroundsAreAveragedNotSkipped) {
   for (int y = 0; y < fence.rows; ++y)
     for (int x = 0; x < fence.cols; ++x) fence(y, x) = x % 2 == 0 ? warp::Pixel(1, 1, 1, 1) : warp::Pixel(0, 0, 0, 1);
   const warp::Image nothing(kSize, warp::Pixel(0, 0, 0, 0));
-  Pictures both = pictures(nothing, nothing, true);
-  both.background = media::Picture{};
-  both.background->image = fence;
+  Footage both = pictures(nothing, nothing, true);
+  both.background = in_memory(fence);
   project::Project project;
   project.output.background = "fence.png";
   const warp::Image frame = frame_at(Renderer(project, both), 0.5);

@@ -31,10 +31,10 @@ class PreviewTest : public testing::Test {
  protected:
   PreviewTest() { project_ = test::small_project(); }
 
-  void use(warp::Image source, warp::Image destination) {
-    pictures_ = test::pictures(std::move(source), std::move(destination));
-    source_ = std::make_unique<Pyramid>(pictures_.source.image);
-    destination_ = std::make_unique<Pyramid>(pictures_.destination.image);
+  void use(const warp::Image& source, const warp::Image& destination) {
+    pictures_ = test::pictures(source, destination);
+    source_ = std::make_unique<Pyramid>(source);
+    destination_ = std::make_unique<Pyramid>(destination);
   }
 
   /// All of the canvas at zoom 1.
@@ -54,6 +54,7 @@ class PreviewTest : public testing::Test {
     return picture;
   }
 
+  warp::Image picture(SideIndex side) const { return pictures_.pictures[side].at(1); }
   render::Renderer renderer() const { return render::Renderer(project_, pictures_, {true}); }
 
   static double greatest_difference(const cv::Mat3b& a, const cv::Mat3b& b) {
@@ -62,7 +63,7 @@ class PreviewTest : public testing::Test {
   }
 
   project::Project project_;
-  render::Pictures pictures_;
+  render::Footage pictures_;
   std::unique_ptr<Pyramid> source_, destination_;
 };
 
@@ -98,11 +99,11 @@ TEST_F(PreviewTest, AMeshIsRenderedToo) {
 
 TEST_F(PreviewTest, ABackgroundPictureLiesUnderTheFrame) {
   use(smooth_image(kSize, 31), smooth_image({30, 64}, 32));
-  pictures_.background.emplace();
-  pictures_.background->image = smooth_image({120, 90}, 33);
+  const warp::Image behind = smooth_image({120, 90}, 33);
+  pictures_.background = render::in_memory(behind);
   project_.output.fit = project::Fit::kNone;
   project_.output.background = std::filesystem::path("behind.png");
-  const Pyramid background(pictures_.background->image);
+  const Pyramid background(behind);
   const PreviewRequest request = whole(0.7);
   const PreviewPicture picture = PreviewRenderer(*source_, *destination_, &background).render(request);
   EXPECT_EQ(picture.problem, "");
@@ -182,9 +183,9 @@ TEST_F(PreviewTest, WhatIsKeptNeverChangesThePicture) {
 
 TEST_F(PreviewTest, SidesAreWhatTheDissolveAndTheDifferenceAreMadeOf) {
   use(test::random_image(kSize, 15), test::random_image(kSize, 16));
-  EXPECT_LE(greatest_difference(rendered(whole(0, Show::kSource)).image, to_screen(pictures_.source.image)), 1);
-  EXPECT_LE(greatest_difference(rendered(whole(1, Show::kDestination)).image, to_screen(pictures_.destination.image)),
-            1);
+  EXPECT_LE(greatest_difference(rendered(whole(0, Show::kSource)).image, to_screen(picture(project::kSource))), 1);
+  EXPECT_LE(
+      greatest_difference(rendered(whole(1, Show::kDestination)).image, to_screen(picture(project::kDestination))), 1);
   const cv::Mat3b source = rendered(whole(0.5, Show::kSource)).image;
   const cv::Mat3b destination = rendered(whole(0.5, Show::kDestination)).image;
   const cv::Mat3b frame = rendered(whole(0.5)).image;
@@ -206,7 +207,7 @@ TEST_F(PreviewTest, ReducedSidesAreReducedFrames) {
   request.view.zoom = 0.25;
   request.size = {150, 100};
   warp::Image expected;
-  cv::resize(pictures_.source.image, expected, request.size, 0, 0, cv::INTER_AREA);
+  cv::resize(picture(project::kSource), expected, request.size, 0, 0, cv::INTER_AREA);
   EXPECT_LE(greatest_difference(rendered(request).image, to_screen(expected)), 1);
 }
 

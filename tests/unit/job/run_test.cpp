@@ -1,4 +1,4 @@
-#include "morph/render/run.h"
+#include "morph/job/run.h"
 
 #include <atomic>
 #include <map>
@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "tests/support/pictures.h"
 
-namespace morphkit::render {
+namespace morphkit::job {
 namespace {
 
 using test::pictures;
@@ -58,12 +58,12 @@ std::vector<int> numbers(int first, int last) {
   return result;
 }
 
-Renderer renderer() {
+render::Renderer renderer() {
   return {small_project(), pictures(random_image({96, 64}, 1), random_image({96, 64}, 2))};
 }
 
 TEST(Run, DeliversAllFramesInOrderWithFewAlive) {
-  const Renderer morph = renderer();
+  const render::Renderer morph = renderer();
   MemorySink sink;
   const Progress progress = run(morph, sink, {numbers(1, 9), false, 2, {}, {}});
   EXPECT_EQ(sink.order, numbers(1, 9));
@@ -73,7 +73,7 @@ TEST(Run, DeliversAllFramesInOrderWithFewAlive) {
 }
 
 TEST(Run, FramesDoNotDependOnChunksOrThreads) {
-  const Renderer morph = renderer();
+  const render::Renderer morph = renderer();
   MemorySink whole, chunk;
   set_threads(5);
   run(morph, whole, {numbers(1, 9), false, 4, {}, {}});
@@ -117,5 +117,23 @@ TEST(Run, AnErrorInTheSinkEndsTheRun) {
   EXPECT_FALSE(sink.finished);
 }
 
+TEST(SinkOptions, TellOfTheFrames) {
+  Pictures pictures;
+  pictures.sides.resize(2);
+  for (media::Picture& side : pictures.sides) side.image = random_image({96, 64}, 1);
+  project::Project project = small_project();
+  project.output.fps = {30000, 1001};
+  const media::SinkOptions opaque = sink_options(render::Renderer(project, footage_of(pictures)), pictures);
+  EXPECT_EQ(opaque.size, cv::Size(96, 64));
+  EXPECT_EQ(opaque.fps_num, 30000);
+  EXPECT_EQ(opaque.fps_den, 1001);
+  EXPECT_FALSE(opaque.has_alpha);
+  EXPECT_EQ(opaque.image.alpha, false);
+  pictures.sides[1].info.has_alpha = true;
+  const media::SinkOptions transparent = sink_options(render::Renderer(project, footage_of(pictures)), pictures);
+  EXPECT_TRUE(transparent.has_alpha);
+  EXPECT_EQ(transparent.image.alpha, true);
+}
+
 }  // namespace
-}  // namespace morphkit::render
+}  // namespace morphkit::job

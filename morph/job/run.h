@@ -4,10 +4,11 @@
 #include <functional>
 #include <vector>
 
+#include "morph/job/pictures.h"
 #include "morph/media/frame_sink.h"
 #include "morph/render/renderer.h"
 
-namespace morphkit::render {
+namespace morphkit::job {
 
 /// What `run` tells its watcher after each frame, and in the end.
 struct Progress {
@@ -25,11 +26,15 @@ struct RunOptions {
   std::function<bool()> cancelled;
 };
 
+/// What a sink must know of the frames: size, rate, whether they may be transparent, and the metadata of the first
+/// picture, which they inherit. What people choose is left at its defaults.
+media::SinkOptions sink_options(const render::Renderer& renderer, const Pictures& pictures);
+
 /// Renders frames into a sink and finishes it. Frames are encoded while others are rendered and reach the sink in
 /// order, on a thread that does nothing else. Memory: the pictures and `in_flight` frames, whatever the number of
 /// frames: threads + 1 in the making, fewer if they do not fit into a sixteenth of the machine's memory (or 512 MiB),
 /// and two encoded ones.
 /// @throws Error kInterrupted if cancelled before the end, after the frames in work were delivered.
-Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions& options);
+Progress run(const render::Renderer& renderer, media::FrameSink& sink, const RunOptions& options);
 
-}  // namespace morphkit::render
+}  // namespace morphkit::job

@@ -1,4 +1,4 @@
-#include "morph/render/run.h"
+#include "morph/job/run.h"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 
-namespace morphkit::render {
+namespace morphkit::job {
 namespace {
 
 /// What the frames in the making may take together: a sixteenth of the machine's memory, but enough for ten 1080p
@@ -25,7 +25,7 @@ std::size_t frame_memory_bytes() {
   return std::max(kLeast, static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes) / 16);
 }
 
-int frames_in_flight(const RunOptions& options, const Renderer& renderer) {
+int frames_in_flight(const RunOptions& options, const render::Renderer& renderer) {
   if (options.in_flight > 0) return options.in_flight;
   // A float frame, and its encoded form at up to 16 bit per channel.
   const std::size_t frame_bytes = renderer.frame_bytes() + static_cast<std::size_t>(renderer.size().area()) * 8;
@@ -40,7 +40,19 @@ int frames_in_flight(const RunOptions& options, const Renderer& renderer) {
 
 }  // namespace
 
-Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions& options) {
+media::SinkOptions sink_options(const render::Renderer& renderer, const Pictures& pictures) {
+  const project::Output& output = renderer.project().output;
+  media::SinkOptions sink;
+  sink.size = renderer.size();
+  sink.fps_num = output.fps.num;
+  sink.fps_den = output.fps.den;
+  sink.has_alpha = renderer.has_alpha();
+  sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
+  sink.image.metadata = pictures.sides.front().metadata;
+  return sink;
+}
+
+Progress run(const render::Renderer& renderer, media::FrameSink& sink, const RunOptions& options) {
   Progress progress;
   progress.total = static_cast<int>(options.frames.size());
   std::vector<int> missing;
@@ -73,4 +85,4 @@ Progress run(const Renderer& renderer, media::FrameSink& sink, const RunOptions&
   return progress;
 }
 
-}  // namespace morphkit::render
+}  // namespace morphkit::job
