@@ -14,7 +14,6 @@
 #include <deque>
 #include <exception>
 #include <mutex>
-#include <opencv2/core/utility.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,37 +21,39 @@
 #include <utility>
 
 namespace morphkit {
-namespace {
 
-/// The one arena of the process and the bound on its workers. OpenCV shares this oneTBB, so the bound holds for both.
-class Arena {
+class detail::Arena {
  public:
-  static Arena& get() {
-    static Arena arena;
-    return arena;
-  }
-
-  void set_threads(int threads) {
-    const int count = threads == 0 ? tbb::info::default_concurrency() : threads;
-    // The old bound goes first: while two exist oneTBB obeys the smaller one.
-    control_.reset();
-    control_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
-    arena_.terminate();
-    arena_.initialize(count);
-    threads_ = count;
-    cv::setNumThreads(count);
-  }
-
+  explicit Arena(int threads) : threads_(threads), arena_(threads) {}
   int threads() const { return threads_; }
   tbb::task_arena& arena() { return arena_; }
 
  private:
-  Arena() : threads_(tbb::info::default_concurrency()), arena_(threads_) {}
-
   int threads_;
-  std::optional<tbb::global_control> control_;
   tbb::task_arena arena_;
 };
+
+struct ProcessThreads::Control {
+  explicit Control(int threads)
+      : bound(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+  tbb::global_control bound;
+};
+
+namespace {
+
+using detail::Arena;
+using detail::PipelineStages;
+
+/// Of the Scope that this thread is in. Null in a thread of oneTBB, which is in its arena already.
+thread_local std::shared_ptr<Arena> current_arena;
+
+template <typename Fn>
+void in_arena(const Fn& fn) {
+  if (const std::shared_ptr<Arena> arena = current_arena)
+    arena->arena().execute(fn);
+  else
+    fn();
+}
 
 /// One item between the stages. A failure travels in the place of its item: everything before it is delivered, and the
 /// first failing item is the one reported, for any number of threads.
@@ -66,7 +67,9 @@ struct Item {
 class Delivery {
  public:
   Delivery(int capacity, std::function<void(const Item&)> deliver)
-      : capacity_(static_cast<std::size_t>(capacity)), deliver_(std::move(deliver)), thread_([this] { run(); }) {}
+      : capacity_(static_cast<std::size_t>(capacity)),
+        deliver_(std::move(deliver)),
+        thread_([this, workers = Workers::current()] { workers.run([this] { run(); }); }) {}
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
   ~Delivery() { finish(); }
@@ -125,7 +128,7 @@ class PipelineRun {
     const int making = made_at_once(in_flight);
     std::optional<Delivery> delivery;
     if (making < in_flight) delivery.emplace(in_flight - making, [this](const Item& item) { deliver(item); });
-    Arena::get().arena().execute([&] {
+    in_arena([&] {
       tbb::parallel_pipeline(
           static_cast<std::size_t>(making),
           tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, [this](tbb::flow_control& flow) {
@@ -177,7 +180,7 @@ class PipelineRun {
     if (failure_) return;
     try {
       if (item.failure) std::rethrow_exception(item.failure);
-      stages_.deliver(item.index, item.value);
+      stages_.deliver(item.index, item.value.get());
       ++delivered_;
     } catch (...) {
       failure_ = std::current_exception();
@@ -197,14 +200,28 @@ class PipelineRun {
 
 }  // namespace
 
-void set_threads(int threads) {
-  if (threads < 0) throw std::invalid_argument("set_threads: " + std::to_string(threads) + " threads; 0 means all");
-  Arena::get().set_threads(threads);
+Workers::Workers(int threads) {
+  if (threads < 0) throw std::invalid_argument("Workers: " + std::to_string(threads) + " threads; 0 means all");
+  arena_ = std::make_shared<Arena>(threads == 0 ? tbb::info::default_concurrency() : threads);
+}
+
+Workers Workers::current() {
+  return Workers(current_arena);
+}
+
+Workers::Scope::Scope(const Workers& workers) : outer_(std::exchange(current_arena, workers.arena_)) {}
+
+Workers::Scope::~Scope() {
+  current_arena = std::move(outer_);
 }
 
 int threads() {
-  return Arena::get().threads();
+  return current_arena ? current_arena->threads() : tbb::this_task_arena::max_concurrency();
 }
+
+ProcessThreads::ProcessThreads(int threads) : control_(std::make_unique<Control>(threads)) {}
+
+ProcessThreads::~ProcessThreads() = default;
 
 void detail::run_rows(int height, int grain, RowsFunction function, const void* context) {
   if (grain < 1) throw std::invalid_argument("for_rows: grain " + std::to_string(grain) + ", must be at least 1");
@@ -222,7 +239,7 @@ void detail::run_rows(int height, int grain, RowsFunction function, const void* 
   const auto run_bands = [&](const tbb::blocked_range<int>& range) {
     for (int band = range.begin(); band < range.end(); ++band) run_band(band);
   };
-  Arena::get().arena().execute([&] {
+  in_arena([&] {
     // Isolated twice: a thread that waits for its rows must not start another frame, and a cancelled caller must not
     // skip rows.
     tbb::this_task_arena::isolate([&] {
@@ -232,8 +249,8 @@ void detail::run_rows(int height, int grain, RowsFunction function, const void* 
   });
 }
 
-std::int64_t run_pipeline(std::int64_t count, int in_flight, const PipelineStages& stages,
-                          const std::function<bool()>& cancelled) {
+std::int64_t detail::run_pipeline(std::int64_t count, int in_flight, const PipelineStages& stages,
+                                  const std::function<bool()>& cancelled) {
   if (in_flight < 1) {
     throw std::invalid_argument("run_pipeline: " + std::to_string(in_flight) + " in flight, must be at least 1");
   }

@@ -1,6 +1,7 @@
 #include "cli/works.h"
 
 #include <new>
+#include <optional>
 
 #include <opencv2/core.hpp>
 
@@ -21,9 +22,13 @@ namespace morphkit::cli {
 namespace {
 
 int run_work(const CommonOptions& common, const std::function<int()>& work) {
-  if (common.threads > 0) set_threads(common.threads);
+  std::optional<ProcessThreads> bound;
+  if (common.threads > 0) {
+    bound.emplace(common.threads);
+    cv::setNumThreads(common.threads);
+  }
   try {
-    return work();
+    return Workers(common.threads).run(work);
   } catch (const cv::Exception& error) {
     if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     throw;

@@ -4,6 +4,8 @@
 #include <future>
 #include <variant>
 
+#include "base/parallel.h"
+
 namespace morphkit::job {
 namespace {
 
@@ -19,7 +21,9 @@ Pictures load_pictures(const project::Project& project) {
   // Reading a picture is the work of one thread; two pictures are that of two.
   std::vector<std::future<media::Picture>> loading;
   for (const project::Picture& side : project.pictures)
-    loading.push_back(std::async(std::launch::async, [&] { return load(project, side); }));
+    loading.push_back(std::async(std::launch::async, [&, workers = Workers::current()] {
+      return workers.run([&] { return load(project, side); });
+    }));
   Pictures pictures;
   for (std::future<media::Picture>& picture : loading) pictures.sides.push_back(picture.get());
   if (const auto* file = std::get_if<std::filesystem::path>(&project.output.background))

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,19 +64,19 @@ Progress run(const render::Renderer& renderer, media::FrameSink& sink, const Run
   // A morph that cannot be rendered to its end is not begun.
   for (const int frame : missing) renderer.require(renderer.time_of(frame));
 
-  PipelineStages stages;
-  stages.make = [&](std::int64_t index) -> std::shared_ptr<void> {
+  const auto make = [&](std::int64_t index) {
     const int frame = missing[static_cast<std::size_t>(index)];
-    return std::make_shared<media::FrameSink::Packet>(sink.encode(frame, renderer.frame(renderer.time_of(frame))));
+    return sink.encode(frame, renderer.frame(renderer.time_of(frame)));
   };
-  stages.deliver = [&](std::int64_t index, const std::shared_ptr<void>& item) {
+  const auto deliver = [&](std::int64_t index, media::FrameSink::Packet packet) {
     progress.frame = missing[static_cast<std::size_t>(index)];
-    sink.write(progress.frame, std::move(*std::static_pointer_cast<media::FrameSink::Packet>(item)));
+    sink.write(progress.frame, std::move(packet));
     ++progress.done;
     if (options.on_progress) options.on_progress(progress);
   };
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
-  run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), stages, cancelled);
+  run_pipeline(static_cast<std::int64_t>(missing.size()), frames_in_flight(options, renderer), make, deliver,
+               cancelled);
   if (progress.done < static_cast<int>(missing.size()))
     throw Error(ErrorKind::kInterrupted, "",
                 fmt::format("interrupted after {} of {} frames", progress.done + progress.skipped, progress.total));

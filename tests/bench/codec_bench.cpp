@@ -8,10 +8,10 @@
 #include <benchmark/benchmark.h>
 #include <opencv2/imgproc.hpp>
 
-#include "base/parallel.h"
 #include "morph/media/image_file.h"
 #include "morph/media/raw_frame.h"
 #include "samples/samples.h"
+#include "tests/support/threads.h"
 #include "warp/image/color.h"
 #include "warp/image/color_rows.h"
 
@@ -41,11 +41,11 @@ const warp::Image& frame() {
 }
 
 void raw(benchmark::State& state, RawFormat format) {
-  set_threads(static_cast<int>(state.range(0)));
+  test::set_threads(static_cast<int>(state.range(0)));
   const warp::Image& image = frame();
   for (auto _ : state) benchmark::DoNotOptimize(raw_frame(image, format, kSize));
   state.SetItemsProcessed(state.iterations() * kSize.area());
-  set_threads(0);
+  test::set_threads(0);
 }
 
 /// The conversion alone, by the kernel or by its specification.
@@ -64,7 +64,7 @@ void codes(benchmark::State& state, void (*convert)(std::span<const warp::Pixel>
 
 /// Argument: the level of compression, -1 for the default.
 void still(benchmark::State& state, const char* name, Depth depth) {
-  set_threads(1);
+  test::set_threads(1);
   WriteOptions options;
   options.depth = depth;
   options.compression = static_cast<int>(state.range(0));
@@ -73,7 +73,7 @@ void still(benchmark::State& state, const char* name, Depth depth) {
   for (auto _ : state) bytes = encode_image(name, image, options).size();
   state.SetItemsProcessed(state.iterations() * kSize.area());
   state.counters["bytes"] = static_cast<double>(bytes);
-  set_threads(0);
+  test::set_threads(0);
 }
 
 #define MORPHKIT_BENCH(function, name, ...) \

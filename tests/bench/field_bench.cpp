@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "tests/bench/fma_peak.h"
+#include "tests/support/threads.h"
 #include "warp/field/line_field.h"
 
 namespace morphkit::warp {
@@ -69,7 +70,7 @@ double worst_error(const LineField& field, FieldAccuracy accuracy) {
 
 /// Arguments: lines, threads.
 void field(benchmark::State& state, FieldAccuracy accuracy, LineWeight weight) {
-  set_threads(static_cast<int>(state.range(1)));
+  test::set_threads(static_cast<int>(state.range(1)));
   const LineField lines = make_field(static_cast<int>(state.range(0)), weight);
   for ([[maybe_unused]] auto _ : state) evaluate_frame(lines, accuracy);
   const double pixel_lines = static_cast<double>(kWidth) * kHeight * static_cast<double>(state.range(0));
@@ -79,7 +80,7 @@ void field(benchmark::State& state, FieldAccuracy accuracy, LineWeight weight) {
   state.counters["worst_px"] = worst;
   if (!(worst <= (accuracy == FieldAccuracy::kExact ? kFieldTolerancePx : kAdaptiveTolerancePx)))
     state.SkipWithError("differs from the reference");
-  set_threads(0);
+  test::set_threads(0);
 }
 
 /// The lower limit: the operations of a line at a pixel, for both sides at once, at the peak speed of the processor.

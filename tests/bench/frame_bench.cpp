@@ -6,8 +6,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "base/parallel.h"
 #include "morph/render/renderer.h"
+#include "tests/support/threads.h"
 
 namespace morphkit::render {
 namespace {
@@ -50,7 +50,7 @@ project::Project random_project(int lines) {
 
 /// Arguments: lines, threads, filter.
 void whole_frame(benchmark::State& state) {
-  set_threads(static_cast<int>(state.range(1)));
+  test::set_threads(static_cast<int>(state.range(1)));
   project::Project project = random_project(static_cast<int>(state.range(0)));
   project.warp.filter = static_cast<warp::Filter>(state.range(2));
   const warp::Image source = noise(1);
@@ -59,7 +59,7 @@ void whole_frame(benchmark::State& state) {
     state.SkipWithError("t = 0 is not the source");
   for (auto _ : state) benchmark::DoNotOptimize(renderer.frame(renderer.clock().at(0.5)));
   state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
-  set_threads(0);
+  test::set_threads(0);
 }
 
 BENCHMARK(whole_frame)

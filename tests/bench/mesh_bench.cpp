@@ -12,6 +12,7 @@
 
 #include "base/parallel.h"
 #include "morph/render/dissolve.h"
+#include "tests/support/threads.h"
 #include "tests/unit/warp/mesh/mesh_pictures.h"
 #include "warp/mesh/area_resample.h"
 #include "warp/mesh/mesh_warp.h"
@@ -99,19 +100,19 @@ void once_each_strength(Registered* to) {
 
 /// Arguments: vertices, threads.
 void one_warp(benchmark::State& state) {
-  set_threads(static_cast<int>(state.range(1)));
+  test::set_threads(static_cast<int>(state.range(1)));
   const MorphMeshes meshes(static_cast<int>(state.range(0)));
   const Image picture = noise(1);
   const MeshWarp warp(meshes.source, meshes.middle);
   for (auto _ : state) benchmark::DoNotOptimize(warp.apply(picture, kFrame));
   state.SetItemsProcessed(state.iterations() * kFrame.area());
-  set_threads(0);
+  test::set_threads(0);
 }
 BENCHMARK(one_warp)->Apply(vertices_and_threads);
 
 /// Arguments: vertices, threads. From meshes to pixels: a frame has its own in-between mesh.
 void frame(benchmark::State& state) {
-  set_threads(static_cast<int>(state.range(1)));
+  test::set_threads(static_cast<int>(state.range(1)));
   const MorphMeshes meshes(static_cast<int>(state.range(0)));
   const Image pictures[2] = {noise(1), noise(2)};
   const auto width = static_cast<std::size_t>(kFrame.width);
@@ -126,7 +127,7 @@ void frame(benchmark::State& state) {
     benchmark::DoNotOptimize(result.data);
   }
   state.SetItemsProcessed(state.iterations() * kFrame.area());
-  set_threads(0);
+  test::set_threads(0);
 }
 BENCHMARK(frame)->Apply(vertices_and_threads);
 

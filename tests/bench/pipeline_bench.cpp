@@ -73,16 +73,14 @@ class Job {
   /// @pre keep_frames()
   void codec_alone() {
     const auto to = sink();
-    PipelineStages stages;
-    stages.make = [&](std::int64_t i) -> std::shared_ptr<void> {
+    const auto make = [&](std::int64_t i) {
       const auto index = static_cast<std::size_t>(i);
-      return std::make_shared<media::FrameSink::Packet>(to->encode(frames_[index], kept_[index]));
+      return to->encode(frames_[index], kept_[index]);
     };
-    stages.deliver = [&](std::int64_t i, const std::shared_ptr<void>& item) {
-      to->write(frames_[static_cast<std::size_t>(i)],
-                std::move(*std::static_pointer_cast<media::FrameSink::Packet>(item)));
+    const auto deliver = [&](std::int64_t i, media::FrameSink::Packet packet) {
+      to->write(frames_[static_cast<std::size_t>(i)], std::move(packet));
     };
-    run_pipeline(static_cast<std::int64_t>(count()), in_flight(), stages, {});
+    run_pipeline(static_cast<std::int64_t>(count()), in_flight(), make, deliver);
     to->finish();
   }
 

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/parallel.h"
+#include "tests/support/threads.h"
 #include "tests/unit/warp/sample/plate_reference.h"
 #include "warp/sample/sample.h"
 
@@ -41,7 +42,7 @@ void report(benchmark::State& state, const Image& out) {
 }
 
 void plate(benchmark::State& state, Filter filter) {
-  set_threads(1);
+  test::set_threads(1);
   const Material& m = material();
   Image out;
   for (auto _ : state) out = sample(m.source, m.map, {filter, Border::kClamp});
@@ -49,7 +50,7 @@ void plate(benchmark::State& state, Filter filter) {
 }
 
 void plate_opencv(benchmark::State& state, int interpolation) {
-  set_threads(1);
+  test::set_threads(1);
   cv::Mat map;
   const Material& m = material();
   cv::subtract(m.map, cv::Scalar(0.5, 0.5), map);  // remap counts from the centre of pixel 0
@@ -60,7 +61,7 @@ void plate_opencv(benchmark::State& state, int interpolation) {
 
 /// Supersampling, the method without a filter: the map at four times the size, bilinear, then the mean of 4 x 4 px.
 void plate_supersampled(benchmark::State& state) {
-  set_threads(1);
+  test::set_threads(1);
   const Material& m = material();
   cv::Mat fine(4 * PlateReduction::kOutputSize, 4 * PlateReduction::kOutputSize, CV_32FC2);
   fine.forEach<cv::Vec2f>([](cv::Vec2f& position, const int* at) {
@@ -78,7 +79,7 @@ void plate_supersampled(benchmark::State& state) {
 
 /// A 1080p picture rotated by 10 degrees at its size: the cost of a filter with nothing to average.
 void turned(benchmark::State& state, Filter filter) {
-  set_threads(1);
+  test::set_threads(1);
   const cv::Size size(1920, 1080);
   const Image source = grey_image(size, [](double x, double y) { return 0.5 + 0.5 * std::sin(0.3 * x + 0.2 * y); });
   Map map(size);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "tests/support/threads.h"
 #include "warp/image/color.h"
 #include "warp/image/image_pool.h"
 #include "warp/image/mix.h"
@@ -60,7 +61,7 @@ void count(benchmark::State& state) {
 
 /// Into a buffer that is reused, as in a renderer; the allocation of the frame is not measured.
 void sample_frame(benchmark::State& state, Filter filter) {
-  set_threads(static_cast<int>(state.range(0)));
+  test::set_threads(static_cast<int>(state.range(0)));
   const Image& from = source();
   const Map& map = warp_map();
   const SampleOptions options{filter, Border::kTransparent};
@@ -81,7 +82,7 @@ void sample_frame(benchmark::State& state, Filter filter) {
 }
 
 void opencv_remap(benchmark::State& state, int interpolation) {
-  set_threads(static_cast<int>(state.range(0)));
+  test::set_threads(static_cast<int>(state.range(0)));
   cv::Mat map;
   cv::subtract(warp_map(), cv::Scalar(0.5, 0.5), map);  // remap counts from the centre of pixel 0
   Image out(kSize, Pixel::all(0));                      // touches the pages
@@ -125,7 +126,7 @@ void sampled_pair(const Image (&from)[2], const Map (&map)[2], Filter filter, Im
 
 /// Runs both in turn, so that other load on the machine affects both. The reported time is ours.
 void pair_beside_opencv(benchmark::State& state, Filter filter, int interpolation) {
-  set_threads(static_cast<int>(state.range(0)));
+  test::set_threads(static_cast<int>(state.range(0)));
   Image from[2] = {pooled_image(kSize), pooled_image(kSize)};
   source().copyTo(from[0]);
   cv::flip(source(), from[1], 1);

@@ -2,10 +2,13 @@
 
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace morphkit::edit {
 
 PreviewThread::PreviewThread(const Pyramid& source, const Pyramid& destination, const Pyramid* background)
-    : renderer_(source, destination, background), thread_([this] { work(); }) {}
+    : renderer_(source, destination, background),
+      thread_([this, workers = Workers::current()] { workers.run([this] { work(); }); }) {}
 
 PreviewThread::~PreviewThread() {
   {

@@ -20,8 +20,9 @@ using Bands = std::vector<std::pair<int, int>>;
 /// Runs each test with 1, 2 and 5 threads and puts the default back.
 class Parallel : public testing::TestWithParam<int> {
  protected:
-  void SetUp() override { set_threads(GetParam()); }
-  void TearDown() override { set_threads(0); }
+  ProcessThreads allowed_{GetParam()};
+  Workers workers_{GetParam()};
+  Workers::Scope scope_{workers_};
 };
 
 INSTANTIATE_TEST_SUITE_P(Threads, Parallel, testing::Values(1, 2, 5));
@@ -32,25 +33,39 @@ void let_others_run(const Done& done) {
   for (int i = 0; i < 200 && !done(); ++i) std::this_thread::yield();
 }
 
-std::shared_ptr<void> item_of(std::int64_t index) {
-  return std::make_shared<std::int64_t>(index);
+TEST(Workers, AreThoseOfTheScopeOfTheThread) {
+  const int outside = threads();
+  EXPECT_GE(outside, 1);
+  const int other = outside + 2;
+  const Workers many(other), one(1);
+  many.run([&] {
+    EXPECT_EQ(threads(), other);
+    EXPECT_EQ(one.run([] { return threads(); }), 1);
+    EXPECT_EQ(threads(), other);
+    std::thread([&] { EXPECT_NE(threads(), other) << "a thread does not inherit them"; }).join();
+    std::thread([&, same = Workers::current()] { same.run([&] { EXPECT_EQ(threads(), other); }); }).join();
+    EXPECT_THROW(one.run([]() -> int { throw std::runtime_error("inside"); }), std::runtime_error);
+    EXPECT_EQ(threads(), other);
+  });
+  EXPECT_EQ(threads(), outside);
+  EXPECT_GE(Workers(0).run([] { return threads(); }), 1);
+  EXPECT_THROW(Workers(-1), std::invalid_argument);
 }
 
-std::int64_t value_of(const std::shared_ptr<void>& item) {
-  return *static_cast<const std::int64_t*>(item.get());
+TEST(Workers, LeaveTheSettingsOfTheProcessAlone) {
+  const int before = cv::getNumThreads();
+  const Workers workers(before + 2);
+  workers.run([&] {
+    for_rows(
+        100, [](int, int) {}, 1);
+  });
+  EXPECT_EQ(cv::getNumThreads(), before);
 }
 
-TEST(Threads, CountIsBoundedForOpenCvToo) {
-  set_threads(3);
-  EXPECT_EQ(threads(), 3);
-  EXPECT_EQ(cv::getNumThreads(), 3);
-  set_threads(1);
-  EXPECT_EQ(threads(), 1);
-  EXPECT_EQ(cv::getNumThreads(), 1);
-  set_threads(0);
-  EXPECT_GE(threads(), 1);
-  EXPECT_EQ(cv::getNumThreads(), threads());
-  EXPECT_THROW(set_threads(-1), std::invalid_argument);
+TEST(Workers, RowsOutsideOfAnyScope) {
+  std::atomic<int> rows = 0;
+  for_rows(100, [&](int begin, int end) { rows += end - begin; });
+  EXPECT_EQ(rows, 100);
 }
 
 TEST_P(Parallel, NoMoreThreadsThanAllowed) {
@@ -139,27 +154,25 @@ TEST_P(Parallel, PipelineDeliversAllInOrderWithinTheBound) {
     std::atomic<int> most_alive = 0;
     std::atomic<int> delivering = 0;
     std::vector<std::int64_t> order;
-    const PipelineStages stages{.make =
-                                    [&](std::int64_t index) {
-                                      const int now = ++alive;
-                                      int most = most_alive;
-                                      while (now > most && !most_alive.compare_exchange_weak(most, now)) {
-                                      }
-                                      // Unequal work, so that items overtake each other.
-                                      let_others_run([&] { return index % 3 != 0; });
-                                      return std::shared_ptr<void>(new std::int64_t(index), [&alive](void* p) {
-                                        delete static_cast<std::int64_t*>(p);
-                                        --alive;
-                                      });
-                                    },
-                                .deliver =
-                                    [&](std::int64_t index, const std::shared_ptr<void>& item) {
-                                      EXPECT_EQ(++delivering, 1);
-                                      EXPECT_EQ(value_of(item), index);
-                                      order.push_back(index);
-                                      --delivering;
-                                    }};
-    EXPECT_EQ(run_pipeline(100, in_flight, stages, {}), 100);
+    const auto make = [&](std::int64_t index) {
+      const int now = ++alive;
+      int most = most_alive;
+      while (now > most && !most_alive.compare_exchange_weak(most, now)) {
+      }
+      // Unequal work, so that items overtake each other.
+      let_others_run([&] { return index % 3 != 0; });
+      return std::shared_ptr<void>(new std::int64_t(index), [&alive](void* p) {
+        delete static_cast<std::int64_t*>(p);
+        --alive;
+      });
+    };
+    const auto deliver = [&](std::int64_t index, const std::shared_ptr<void>& item) {
+      EXPECT_EQ(++delivering, 1);
+      EXPECT_EQ(*static_cast<const std::int64_t*>(item.get()), index);
+      order.push_back(index);
+      --delivering;
+    };
+    EXPECT_EQ(run_pipeline(100, in_flight, make, deliver), 100);
     ASSERT_EQ(order.size(), 100U);
     EXPECT_TRUE(std::ranges::is_sorted(order));
     EXPECT_LE(most_alive, in_flight);
@@ -169,47 +182,43 @@ TEST_P(Parallel, PipelineDeliversAllInOrderWithinTheBound) {
 
 TEST_P(Parallel, RowsWithinThePipeline) {
   std::int64_t sum = 0;
-  const PipelineStages stages{.make =
-                                  [](std::int64_t index) {
-                                    std::atomic<std::int64_t> rows = 0;
-                                    for_rows(
-                                        257, [&](int begin, int end) { rows += end - begin; }, 2);
-                                    return item_of(rows * index);
-                                  },
-                              .deliver =
-                                  [&](std::int64_t, const std::shared_ptr<void>& item) {
-                                    std::atomic<std::int64_t> rows = 0;
-                                    for_rows(
-                                        10, [&](int begin, int end) { rows += end - begin; }, 2);
-                                    sum += value_of(item) * rows;
-                                  }};
-  EXPECT_EQ(run_pipeline(50, 4, stages, {}), 50);
+  const auto make = [](std::int64_t index) {
+    std::atomic<std::int64_t> rows = 0;
+    for_rows(
+        257, [&](int begin, int end) { rows += end - begin; }, 2);
+    return rows * index;
+  };
+  const auto deliver = [&](std::int64_t, std::int64_t item) {
+    std::atomic<std::int64_t> rows = 0;
+    for_rows(
+        10, [&](int begin, int end) { rows += end - begin; }, 2);
+    sum += item * rows;
+  };
+  EXPECT_EQ(run_pipeline(50, 4, make, deliver), 50);
   EXPECT_EQ(sum, std::int64_t{257} * 10 * 49 * 50 / 2);
 }
 
 TEST_P(Parallel, WithoutItemsNothingIsCalled) {
-  const PipelineStages stages{.make = [](std::int64_t) -> std::shared_ptr<void> { throw std::logic_error("called"); },
-                              .deliver = {}};
-  EXPECT_EQ(run_pipeline(0, 4, stages, {}), 0);
-  EXPECT_THROW(run_pipeline(1, 0, stages, {}), std::invalid_argument);
+  const auto make = [](std::int64_t) -> std::int64_t { throw std::logic_error("called"); };
+  const auto deliver = [](std::int64_t, std::int64_t) {};
+  EXPECT_EQ(run_pipeline(0, 4, make, deliver), 0);
+  EXPECT_THROW(run_pipeline(1, 0, make, deliver), std::invalid_argument);
 }
 
 TEST_P(Parallel, TheFirstFailingItemIsReportedAndEarlierOnesAreDelivered) {
   for (int round = 0; round < 20; ++round) {
     std::vector<std::int64_t> order;
     std::atomic<std::int64_t> made = 0;
-    const PipelineStages stages{
-        .make =
-            [&](std::int64_t index) {
-              ++made;
-              // The first failing item in order is the last one in time.
-              if (index == 20) let_others_run([] { return false; });
-              if (index >= 20) throw std::runtime_error(std::to_string(index));
-              return item_of(index);
-            },
-        .deliver = [&](std::int64_t index, const std::shared_ptr<void>&) { order.push_back(index); }};
+    const auto make = [&](std::int64_t index) {
+      ++made;
+      // The first failing item in order is the last one in time.
+      if (index == 20) let_others_run([] { return false; });
+      if (index >= 20) throw std::runtime_error(std::to_string(index));
+      return index;
+    };
+    const auto deliver = [&](std::int64_t index, std::int64_t) { order.push_back(index); };
     try {
-      run_pipeline(1000, 4, stages, {});
+      run_pipeline(1000, 4, make, deliver);
       FAIL() << "nothing was thrown";
     } catch (const std::runtime_error& error) {
       EXPECT_STREQ(error.what(), "20");
@@ -221,34 +230,31 @@ TEST_P(Parallel, TheFirstFailingItemIsReportedAndEarlierOnesAreDelivered) {
 }
 
 TEST_P(Parallel, RowsFailingWithinThePipeline) {
-  const PipelineStages stages{.make =
-                                  [](std::int64_t index) {
-                                    for_rows(
-                                        64,
-                                        [&](int begin, int) {
-                                          if (index == 3 && begin == 32) throw std::runtime_error("row 32");
-                                        },
-                                        8);
-                                    return item_of(index);
-                                  },
-                              .deliver = [](std::int64_t, const std::shared_ptr<void>&) {}};
-  EXPECT_THROW(run_pipeline(10, 2, stages, {}), std::runtime_error);
+  const auto make = [](std::int64_t index) {
+    for_rows(
+        64,
+        [&](int begin, int) {
+          if (index == 3 && begin == 32) throw std::runtime_error("row 32");
+        },
+        8);
+    return index;
+  };
+  const auto deliver = [](std::int64_t, std::int64_t) {};
+  EXPECT_THROW(run_pipeline(10, 2, make, deliver), std::runtime_error);
 }
 
 TEST_P(Parallel, FailingDeliveryStopsThePipeline) {
   std::atomic<int> alive = 0;
   std::int64_t last = -1;
-  const PipelineStages stages{.make =
-                                  [&](std::int64_t) {
-                                    ++alive;
-                                    return std::shared_ptr<void>(nullptr, [&alive](void*) { --alive; });
-                                  },
-                              .deliver =
-                                  [&](std::int64_t index, const std::shared_ptr<void>&) {
-                                    last = index;
-                                    if (index == 7) throw std::runtime_error("disk full");
-                                  }};
-  EXPECT_THROW(run_pipeline(1000, 3, stages, {}), std::runtime_error);
+  const auto make = [&](std::int64_t) {
+    ++alive;
+    return std::shared_ptr<void>(nullptr, [&alive](void*) { --alive; });
+  };
+  const auto deliver = [&](std::int64_t index, const std::shared_ptr<void>&) {
+    last = index;
+    if (index == 7) throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(run_pipeline(1000, 3, make, deliver), std::runtime_error);
   EXPECT_EQ(last, 7);
   EXPECT_EQ(alive, 0);
 }
@@ -257,32 +263,30 @@ TEST_P(Parallel, CancellingDeliversTheItemsAlreadyBegun) {
   std::atomic<std::int64_t> made = 0;
   std::vector<std::int64_t> order;
   int asked = 0;
-  const PipelineStages stages{
-      .make =
-          [&](std::int64_t index) {
-            ++made;
-            return item_of(index);
-          },
-      .deliver = [&](std::int64_t index, const std::shared_ptr<void>&) { order.push_back(index); }};
+  const auto make = [&](std::int64_t index) {
+    ++made;
+    return index;
+  };
+  const auto deliver = [&](std::int64_t index, std::int64_t) { order.push_back(index); };
   // True from the eleventh call on: ten items have begun.
-  const std::int64_t delivered = run_pipeline(1000, 4, stages, [&] { return ++asked > 10; });
+  const std::int64_t delivered = run_pipeline(1000, 4, make, deliver, [&] { return ++asked > 10; });
   EXPECT_EQ(delivered, 10);
   EXPECT_EQ(made, 10);
   ASSERT_EQ(order.size(), 10U);
   EXPECT_TRUE(std::ranges::is_sorted(order));
-  EXPECT_EQ(run_pipeline(1000, 4, stages, [] { return true; }), 0);
+  EXPECT_EQ(run_pipeline(1000, 4, make, deliver, [] { return true; }), 0);
 }
 
 TEST_P(Parallel, AnExceptionFromCancelledIsRethrownAfterDelivery) {
   int asked = 0;
   std::int64_t delivered = 0;
-  const PipelineStages stages{.make = item_of,
-                              .deliver = [&](std::int64_t, const std::shared_ptr<void>&) { ++delivered; }};
+  const auto make = [](std::int64_t index) { return index; };
+  const auto deliver = [&](std::int64_t, std::int64_t) { ++delivered; };
   const auto cancelled = [&] {
     if (++asked > 5) throw std::runtime_error("no answer");
     return false;
   };
-  EXPECT_THROW(run_pipeline(100, 4, stages, cancelled), std::runtime_error);
+  EXPECT_THROW(run_pipeline(100, 4, make, deliver, cancelled), std::runtime_error);
   EXPECT_EQ(delivered, 5);
 }
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "tests/support/pictures.h"
+#include "tests/support/threads.h"
 
 namespace morphkit::job {
 namespace {
@@ -75,12 +75,12 @@ TEST(Run, DeliversAllFramesInOrderWithFewAlive) {
 TEST(Run, FramesDoNotDependOnChunksOrThreads) {
   const render::Renderer morph = renderer();
   MemorySink whole, chunk;
-  set_threads(5);
+  test::set_threads(5);
   run(morph, whole, {numbers(1, 9), false, 4, {}, {}});
-  set_threads(1);
+  test::set_threads(1);
   run(morph, chunk, {{7, 8, 9}, false, 0, {}, {}});
   run(morph, chunk, {{2, 5}, false, 0, {}, {}});
-  set_threads(0);
+  test::set_threads(0);
   for (const auto& [frame, image] : chunk.frames) EXPECT_TRUE(same_bits(image, whole.frames.at(frame))) << frame;
   EXPECT_EQ(chunk.frames.size(), 5u);
 }

@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "morph/render/check.h"
 #include "morph/render/renderer.h"
 #include "tests/support/errors.h"
 #include "tests/support/pictures.h"
+#include "tests/support/threads.h"
 #include "tests/unit/render/shows.h"
 
 namespace morphkit::render {
@@ -101,13 +101,13 @@ TEST(MeshWarper, SameBytesForAnyNumberOfThreads) {
   project.groups.back().pace.dissolve = motion::Timing{motion::SineEase{}, 0, 0.4};
   project.mesh->groups.push_back({"early", {{2, 2}, {3, 2}}});
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
-  set_threads(1);
+  test::set_threads(1);
   const warp::Image one = frame_at(renderer, 0.4);
   for (const int threads : {2, 5}) {
-    set_threads(threads);
+    test::set_threads(threads);
     EXPECT_TRUE(same_bits(frame_at(renderer, 0.4), one)) << threads << " threads";
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 TEST(MeshWarper, AMapLooksWhereThePicturesComeFrom) {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/parallel.h"
 #include "tests/support/pictures.h"
+#include "tests/support/threads.h"
 #include "tests/unit/render/shows.h"
 
 namespace morphkit::render {
@@ -80,13 +80,13 @@ TEST(Renderer, SameBytesForAnyNumberOfThreads) {
   project.features[0].pace.dissolve = motion::Timing{motion::SineEase{}, 0, 0.5};
   project.output.size = cv::Size(203, 151);
   const Renderer renderer(project, pictures(random_image(kSize, 9, true), random_image({70, 80}, 10, true), true));
-  set_threads(1);
+  test::set_threads(1);
   const warp::Image one = frame_at(renderer, 0.4);
   for (const int threads : {2, 5}) {
-    set_threads(threads);
+    test::set_threads(threads);
     EXPECT_TRUE(same_bits(frame_at(renderer, 0.4), one)) << threads << " threads";
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 TEST(Renderer, ASideShowsAsLongAsTheFrameDependsOnIt) {

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/parallel.h"
 #include "morph/project/project.h"
+#include "tests/support/threads.h"
 
 namespace morphkit::samples {
 namespace {
@@ -39,9 +39,9 @@ TEST_P(EverySample, IsTheSameForAnyNumberOfThreads) {
   const Sample& first = painted(GetParam());
   for (const int threads : {1, 2, 5}) {
     SCOPED_TRACE(threads);
-    set_threads(threads);
+    test::set_threads(threads);
     const Sample again = paint(GetParam());
-    set_threads(0);
+    test::set_threads(0);
     ASSERT_EQ(again.pictures.size(), first.pictures.size());
     for (std::size_t i = 0; i < first.pictures.size(); ++i) {
       EXPECT_EQ(again.pictures[i].name, first.pictures[i].name);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/parallel.h"
+#include "tests/support/threads.h"
 #include "warp/image/color.h"
 
 namespace morphkit::warp {
@@ -115,12 +115,12 @@ TEST(Compare, DoesNotDependOnTheNumberOfThreads) {
   const Image b = random_image({67, 129}, 6);
   const Difference expected = compare(a, b);
   for (const int count : {1, 2, 5}) {
-    set_threads(count);
+    test::set_threads(count);
     const Difference actual = compare(a, b);
     EXPECT_EQ(actual.psnr_db, expected.psnr_db);
     EXPECT_EQ(actual.worst, expected.worst);
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 TEST(Compare, RefusesUnequalSizes) {

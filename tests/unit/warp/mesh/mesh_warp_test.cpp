@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/parallel.h"
+#include "tests/support/threads.h"
 #include "warp/analysis.h"
 #include "warp/mesh/mesh_curves.h"
 
@@ -165,14 +165,14 @@ TEST(MeshWarp, SameBytesForAnyNumberOfThreads) {
   const Mesh from = jittered(9, 8, outline_of(size), random), to = jittered(9, 8, outline_of(size), random);
   const Image image = random_image(size, 3);
   for (const PassOrder order : kOrders) {
-    set_threads(1);
+    test::set_threads(1);
     const Image one = MeshWarp(from, to, {MeshSpline::kMonotone, order}).apply(image, size);
     for (const int threads : {2, 5}) {
-      set_threads(threads);
+      test::set_threads(threads);
       EXPECT_TRUE(same_bits(MeshWarp(from, to, {MeshSpline::kMonotone, order}).apply(image, size), one));
     }
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 TEST(MeshWarp, InterceptsOfOrderedVerticesAreInOrderEverywhere) {

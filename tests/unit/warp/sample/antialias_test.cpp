@@ -2,6 +2,7 @@
 // properties for any map.
 
 #include "warp/sample/antialias.h"
+#include "tests/support/threads.h"
 
 #include <gtest/gtest.h>
 #include <hwy/tests/hwy_gtest.h>
@@ -14,7 +15,6 @@
 #include <random>
 #include <vector>
 
-#include "base/parallel.h"
 #include "warp/sample/sample.h"
 
 namespace morphkit::warp {
@@ -257,14 +257,14 @@ TEST(AntialiasMaps, GivesTheSameBytesForAnyNumberOfThreads) {
   const Image source = make.image({150, 120});
   const Map map = make.map({90, 130}, source.size(), 2);
   for (const Filter filter : kFilters) {
-    set_threads(1);
+    test::set_threads(1);
     const Image one = sample(source, map, {filter, Border::kMirror});
     for (const int threads : {2, 5}) {
-      set_threads(threads);
+      test::set_threads(threads);
       EXPECT_TRUE(same_bytes(sample(source, map, {filter, Border::kMirror}), one)) << threads << " threads";
     }
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 TEST(AntialiasMaps, ColoursChangeSmoothlyAsAMapZoomsAndPans) {

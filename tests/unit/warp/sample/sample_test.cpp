@@ -1,4 +1,5 @@
 #include "warp/sample/sample.h"
+#include "tests/support/threads.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <random>
 #include <span>
 #include <vector>
-
-#include "base/parallel.h"
 
 namespace morphkit::warp {
 
@@ -363,10 +362,10 @@ TEST(Sample, GivesTheSameBytesForAnyNumberOfThreads) {
   for (MapPoint& p : map) p = {position(random), position(random)};
   for (const Filter filter : {Filter::kNearest, Filter::kBilinear, Filter::kBicubic}) {
     for (const Border border : {Border::kTransparent, Border::kClamp, Border::kMirror}) {
-      set_threads(1);
+      test::set_threads(1);
       const Image expected = sample(source, map, {filter, border});
       for (const int count : {2, 5}) {
-        set_threads(count);
+        test::set_threads(count);
         const Image result = sample(source, map, {filter, border});
         ASSERT_TRUE(result.isContinuous() && expected.isContinuous());
         EXPECT_EQ(std::memcmp(result.data, expected.data, expected.total() * sizeof(Pixel)), 0)
@@ -374,7 +373,7 @@ TEST(Sample, GivesTheSameBytesForAnyNumberOfThreads) {
       }
     }
   }
-  set_threads(0);
+  test::set_threads(0);
 }
 
 }  // namespace
