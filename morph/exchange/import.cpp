@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/words.h"
 #include "morph/exchange/import_xmorph.h"
 
 namespace morphkit::exchange {
@@ -18,14 +19,8 @@ constexpr std::string_view kXmorphExtensions[] = {".mesh"};
 constexpr Format kFormats[] = {
     {"xmorph", kXmorphExtensions, 2, "two .mesh files, the source's first", import_xmorph, export_xmorph}};
 
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
-
 const Format* find_format(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = lower(file.extension().string());
   const auto found = std::ranges::find_if(kFormats, [&](const Format& format) {
     return std::ranges::find(format.extensions, extension) != format.extensions.end();
   });

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/words.h"
 
 namespace morphkit::json {
 
@@ -30,10 +31,7 @@ std::string word_at(const std::string& text, std::size_t byte) {
   if (byte >= text.size() || kWord.find(text[byte]) == std::string_view::npos) return "";
   const std::size_t before = text.find_last_not_of(kWord, byte);
   const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-  std::string word = text.substr(begin, std::min<std::size_t>(text.find_first_not_of(kWord, byte) - begin, 20));
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
-  return word;
+  return lower(text.substr(begin, std::min<std::size_t>(text.find_first_not_of(kWord, byte) - begin, 20)));
 }
 
 /// The usual mistake when JSON is invalid at this byte.

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/words.h"
 
 namespace morphkit::media {
 namespace {
@@ -29,13 +30,6 @@ const std::vector<WritableFormat>& writable_formats() {
       {"openexr", "EXR", {".exr"}, {Depth::kHalf, Depth::kFloat}, true, 65535, true},
   };
   return formats;
-}
-
-std::string lower_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
 }
 
 struct Magic {
@@ -102,7 +96,7 @@ ImageLimits& mutable_limits() {
 }  // namespace
 
 const WritableFormat* writable_format(const fs::path& file) {
-  const std::string extension = lower_extension(file);
+  const std::string extension = lower(file.extension().string());
   for (const WritableFormat& format : writable_formats()) {
     if (std::find(format.names.begin(), format.names.end(), extension) != format.names.end()) return &format;
   }
@@ -125,7 +119,7 @@ std::string sniff_format(const fs::path& file) {
     }
   }
   if (is_pnm(head)) return "pnm";
-  if (lower_extension(file) == ".tga") return "targa";
+  if (lower(file.extension().string()) == ".tga") return "targa";
   throw Error(
       ErrorKind::kUnsupported, file.string(),
       fmt::format("not an image that morphkit can read (its first bytes are of no known format); {}", kSupported));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -15,11 +14,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "morph/media/exr_check.h"
+#include "base/words.h"
+#include "morph/media/guard/exr_check.h"
+#include "morph/media/guard/png_check.h"
+#include "morph/media/guard/promise_check.h"
 #include "morph/media/image_format.h"
 #include "morph/media/metadata.h"
-#include "morph/media/png_check.h"
-#include "morph/media/promise_check.h"
 #include "morph/media/webp_codec.h"
 
 namespace morphkit::media {
@@ -68,16 +68,10 @@ std::vector<std::uint8_t> read_bytes(const fs::path& file) {
   return bytes;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// The transfer function that the file states, if we support it. Rec.709 material is shown on sRGB screens as if it
 /// were sRGB, and is read in the same way.
 std::optional<Transfer> tagged_transfer(const OIIO::ImageSpec& spec) {
-  const std::string tag = lower(spec.get_string_attribute("oiio:ColorSpace"));
+  const std::string tag = lower(std::string(spec.get_string_attribute("oiio:ColorSpace")));
   float gamma = spec.get_float_attribute("oiio:Gamma", 0.0F);
   if (gamma == 0.0F && tag.starts_with("gamma")) {
     gamma = std::strtof(tag.c_str() + std::string_view("gamma").size(), nullptr);

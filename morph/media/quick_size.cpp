@@ -14,8 +14,8 @@
 
 #include "base/words.h"
 #include "morph/media/exif_orientation.h"
+#include "morph/media/guard/png_check.h"
 #include "morph/media/image_format.h"
-#include "morph/media/png_check.h"
 
 namespace morphkit::media {
 namespace {

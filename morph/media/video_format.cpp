@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -12,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/words.h"
 
 namespace morphkit::media {
 namespace {
@@ -163,9 +163,7 @@ cv::Size VideoFormat::coded_size(cv::Size size) const {
 }
 
 const VideoFormat* find_video_format(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower(file.extension().string());
   const auto* found = std::find_if(kFormats.begin(), kFormats.end(),
                                    [&](const VideoFormat& format) { return extension == format.extension; });
   return found == kFormats.end() ? nullptr : found;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "morph/media/exr_check.h"
+#include "morph/media/guard/exr_check.h"
 #include "tests/unit/media/image_support.h"
 
 namespace morphkit::media::test {

@@ -1,4 +1,4 @@
-#include "morph/media/exr_check.h"
+#include "morph/media/guard/exr_check.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "morph/media/png_check.h"
+#include "morph/media/guard/png_check.h"
 
 #include <fmt/format.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "morph/media/promise_check.h"
+#include "morph/media/guard/promise_check.h"
 
 #include <fmt/format.h>
 
