@@ -1,6 +1,7 @@
 #include "cli/project_argument.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,7 @@ struct KeyText {
 template <project::Worded T>
 std::vector<std::string> words_of() {
   std::vector<std::string> words;
+  words.reserve(std::size(project::Words<T>::kTable));
   for (const auto& [word, value] : project::Words<T>::kTable) words.emplace_back(word);
   return words;
 }
@@ -122,6 +124,7 @@ void declare_project(Options& command, ProjectArgument& argument, const std::vec
 void apply_changes(const ProjectChanges& changes, project::Project& project) {
   const std::vector<Change> list = listed(changes);
   std::vector<project::Setting> settings;
+  settings.reserve(list.size());
   for (const Change& change : list) settings.push_back(change.setting);
   try {
     project::set_values(project, settings);

@@ -199,8 +199,8 @@ struct Codec<Background> {
 template <>
 struct Codec<motion::Timing> {
   static constexpr bool kSpellings = true;
-  static void read(const json::Cursor& at, motion::Timing& value, const Facts&);
-  static json::Node write(const motion::Timing& value, const Facts&, bool defaults);
+  static void read(const json::Cursor& at, motion::Timing& timing, const Facts&);
+  static json::Node write(const motion::Timing& timing, const Facts&, bool defaults);
   static json::Node schema(const Facts&);
   static json::Node full_schema();  ///< `schema` refers to it
 };

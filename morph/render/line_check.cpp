@@ -225,6 +225,7 @@ std::vector<std::string> nearest_features(const project::Moment& moment, const s
                                           cv::Point2d position) {
   constexpr int kNearestFeatures = 3;
   std::vector<std::pair<double, std::size_t>> distances;
+  distances.reserve(lines.size());
   for (const FeatureLine& line : lines)
     distances.emplace_back(distance_to(between(line, moment), position), line.feature);
   std::sort(distances.begin(), distances.end());

@@ -11,7 +11,7 @@ Renderer::Renderer(project::Project project, std::shared_ptr<const Stage> stage,
     : body_(std::make_unique<const Body>(Body{project::Evaluator(project), std::move(project), std::move(stage)})),
       plan_(make_plan(body_->project, body_->moments, *body_->stage, options.allow_folds)) {}
 
-Renderer::Renderer(project::Project project, const Footage& footage, const RendererOptions& options)
+Renderer::Renderer(const project::Project& project, const Footage& footage, const RendererOptions& options)
     : Renderer(project, std::make_shared<const Stage>(make_stage(project, footage)), options) {
   bool transparent = false;
   for (SideIndex side = 0; side < footage.pictures.size(); ++side)

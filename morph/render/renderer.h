@@ -21,7 +21,7 @@ struct RendererOptions {
 class Renderer {
  public:
   /// @throws Error kBadInput if the project's mesh does not fit its pictures, or folds and must not.
-  Renderer(project::Project project, const Footage& footage, const RendererOptions& options = {});
+  Renderer(const project::Project& project, const Footage& footage, const RendererOptions& options = {});
 
   /// On a stage that is there already, such as one that shows a view of the canvas; renderers may share it.
   /// @param stage  of a project that has the same pictures and output, and the same border.
