@@ -1,3 +1,4 @@
+#include "base/kernel_targets.h"
 #include "base/vector_target.h"
 
 #undef HWY_TARGET_INCLUDE

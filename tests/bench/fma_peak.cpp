@@ -2,6 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "base/kernel_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/fma_peak.cpp"
 #include "hwy/foreach_target.h"

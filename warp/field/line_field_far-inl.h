@@ -1,5 +1,5 @@
-// Lines whose weights are smooth over a tile: their sums are evaluated at a few nodes and interpolated. Included by
-// line_field_simd.cpp once per instruction set; the guard toggles accordingly.
+// Lines whose weights are smooth over a tile: their sums are evaluated at a few nodes and interpolated. Included once
+// per instruction set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_FAR_INL_H_

@@ -1,5 +1,4 @@
-// Lines that are evaluated at every pixel of a tile. Included by line_field_simd.cpp once per instruction set; the
-// guard toggles accordingly.
+// Lines that are evaluated at every pixel of a tile. Included once per instruction set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_NEAR_INL_H_

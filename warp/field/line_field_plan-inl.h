@@ -1,5 +1,5 @@
-// How the lines of a tile are treated, and bounds on the resulting error of its means. Included by line_field_simd.cpp
-// once per instruction set; the guard toggles accordingly.
+// How the lines of a tile are treated, and bounds on the resulting error of its means. Included once per instruction
+// set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_PLAN_INL_H_

@@ -1,5 +1,4 @@
-// Powers for the weights of the line field. Included by line_field_simd.cpp once per instruction set; the guard toggles
-// accordingly.
+// Powers for the weights of the line field. Included once per instruction set; the guard toggles accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_POWER_INL_H_

@@ -1,5 +1,5 @@
-// The lines of a field relative to one tile of the output. Included by line_field_simd.cpp once per instruction set;
-// the guard toggles accordingly.
+// The lines of a field relative to one tile of the output. Included once per instruction set; the guard toggles
+// accordingly.
 #if defined(MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_
 #undef MORPHKIT_WARP_LINE_FIELD_TILE_INL_H_

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/kernel_targets.h"
 #include "warp/image/color_rows.h"
 
 #undef HWY_TARGET_INCLUDE

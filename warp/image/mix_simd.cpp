@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "base/kernel_targets.h"
 #include "warp/image/mix.h"
 
 #undef HWY_TARGET_INCLUDE

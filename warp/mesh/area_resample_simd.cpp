@@ -16,11 +16,9 @@
 #include <cstring>
 #include <limits>
 
+#include "base/kernel_targets.h"
 #include "warp/mesh/area_resample_line.h"
 
-// This code keeps vectors in structures, which targets without a fixed vector size do not allow. Such machines have
-// NEON too.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/mesh/area_resample_simd.cpp"
 #include "hwy/foreach_target.h"

@@ -13,13 +13,12 @@
 #include <limits>
 #include <span>
 
+#include "base/kernel_targets.h"
 #include "warp/sample/antialias.h"
 #include "warp/sample/border.h"
 #include "warp/sample/filters.h"
 #include "warp/sample/reconstruct.h"
 
-// Machines without a fixed vector size have NEON too; see area_resample_simd.cpp.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/sample/antialias_simd.cpp"
 #include "hwy/foreach_target.h"

@@ -9,11 +9,10 @@
 #include <cstring>
 #include <limits>
 
+#include "base/kernel_targets.h"
 #include "warp/sample/reconstruct.h"
 #include "warp/sample/reconstruct_border.h"
 
-// Vectors are kept in arrays, which targets without a fixed vector size do not allow. Such machines have NEON too.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "warp/sample/reconstruct_simd.cpp"
 #include "hwy/foreach_target.h"

@@ -186,22 +186,6 @@ TEST_P(LineFieldSimd, ResultsDoNotDependOnTheArea) {
   }
 }
 
-/// The kernel handles targets in pairs.
-TEST_P(LineFieldSimd, ATargetDoesNotDependOnTheOthers) {
-  const FieldCase set = FieldCaseMaker(9).ordinary(640, 480, 30, 6, {1, 1.3, 0.2}, 30);
-  FieldRow all(6, 640);
-  LineField(set.lines, 6).evaluate(all.area(100, 0), FieldAccuracy::kExact, all.views);
-  for (int targets = 2; targets <= 4; targets += 2) {
-    std::vector<FieldLine> lines = set.lines;
-    for (FieldLine& line : lines) line.targets.resize(static_cast<size_t>(targets));
-    FieldRow some(targets, 640);
-    LineField(lines, targets).evaluate(some.area(100, 0), FieldAccuracy::kExact, some.views);
-    for (size_t t = 0; t < static_cast<size_t>(targets); ++t) {
-      EXPECT_EQ(std::memcmp(some.maps[t].data(), all.maps[t].data(), 640 * sizeof(MapPoint)), 0) << targets;
-    }
-  }
-}
-
 TEST_P(LineFieldSimd, OrdinarySetsRarelyNeedTheReference) {
   for (const LineWeight weight : {LineWeight{1, 2, 0}, LineWeight{1, 1.5, 0.2}, LineWeight{0.01, 1, 0.5},
                                   LineWeight{10, 1.3, 1}, LineWeight{1, 4, 0}, LineWeight{0.5, 0.5, 0}}) {
