@@ -8,6 +8,8 @@
 namespace morphkit::media {
 namespace {
 
+using test::exif_saying;
+
 TEST(ExifOrientation, IsReadInBothByteOrders) {
   for (const bool is_big : {false, true})
     for (int orientation = 1; orientation <= 8; ++orientation)

@@ -3,11 +3,11 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace morphkit::media {
+namespace morphkit::test {
 
 /// A TIFF header and a directory with one entry, the orientation.
-inline test::Bytes exif_saying(int orientation, bool is_big) {
-  test::Bytes bytes = {0, 0};
+inline Bytes exif_saying(int orientation, bool is_big) {
+  Bytes bytes = {0, 0};
   bytes[0] = bytes[1] = is_big ? 'M' : 'I';
   const auto add = [&](unsigned value, int size) {
     for (int i = 0; i < size; ++i)
@@ -25,4 +25,4 @@ inline test::Bytes exif_saying(int orientation, bool is_big) {
   return bytes;
 }
 
-}  // namespace morphkit::media
+}  // namespace morphkit::test

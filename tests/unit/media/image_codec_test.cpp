@@ -9,7 +9,7 @@
 #include "tests/unit/media/image_support.h"
 #include "warp/image/color.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
 
 template <typename Sample>
@@ -92,4 +92,4 @@ TEST(PixelCodec, NonFinitePixelsBecomeTransparentAndAreCounted) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

@@ -6,11 +6,17 @@
 
 #include "tests/unit/media/image_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
 
+namespace fs = std::filesystem;
+using test::Bytes;
+using test::read_bytes;
+using test::TemporaryFolder;
+using test::write_bytes;
+
 TEST(ImageCorpus, EveryFileIsReadOrRefused) {
-  const Folder folder;
+  const TemporaryFolder folder;
   int read = 0;
   int refused = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(MORPHKIT_FUZZ_CORPUS) / "fuzz_image")) {
@@ -39,4 +45,4 @@ TEST(ImageCorpus, EveryFileIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

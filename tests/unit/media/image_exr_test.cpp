@@ -9,8 +9,15 @@
 #include "morph/media/guard/exr_check.h"
 #include "tests/unit/media/image_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+using test::Bytes;
+using test::contains;
+using test::error_of;
+using test::random_image;
+using test::TemporaryFolder;
+using test::write_bytes;
 
 /// The header of an EXR file, built up by hand ("OpenEXR File Layout").
 class Header {
@@ -61,7 +68,7 @@ class Header {
 
 void expect_refused(const Header& header, const std::string& part) {
   SCOPED_TRACE(part);
-  const Folder folder;
+  const TemporaryFolder folder;
   write_bytes(folder / "a.exr", header.bytes());
   for (const bool alone : {true, false}) {
     const Error error = error_of([&] {
@@ -133,7 +140,7 @@ TEST(ExrHeader, ChecksAllParts) {
 
 TEST(ExrHeader, RefusesAHeaderCutShortAnywhere) {
   const Bytes whole = encode_image("a.exr", random_image(9, 7, true, 1));
-  const Folder folder;
+  const TemporaryFolder folder;
   write_bytes(folder / "a.exr", whole);
   EXPECT_NO_THROW(check_exr(folder / "a.exr"));
   constexpr std::string_view kLast = "screenWindowWidth";  // attributes are sorted by name
@@ -151,7 +158,7 @@ TEST(ExrHeader, RefusesUnterminatedNamesAndOtherVersions) {
 }
 
 TEST(ExrHeader, AcceptsLongNamesAndTilesLargerThanThePicture) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(5, 4, 3, OIIO::TypeDesc::HALF);
   spec.tile_width = spec.tile_height = 256;
   spec[std::string(200, 'n')] = "value";
@@ -164,4 +171,4 @@ TEST(ExrHeader, AcceptsLongNamesAndTilesLargerThanThePicture) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

@@ -11,8 +11,16 @@
 #include "morph/media/image_format.h"
 #include "tests/unit/media/image_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::Bytes;
+using test::contains;
+using test::error_of;
+using test::random_image;
+using test::TemporaryFolder;
+using test::write_bytes;
 
 void expect_refused(const fs::path& file, ErrorKind code, const std::string& part) {
   SCOPED_TRACE(file.filename());
@@ -28,7 +36,7 @@ void expect_refused(const fs::path& file, ErrorKind code, const std::string& par
 }
 
 TEST(ImageFailure, RefusesFilesThatAreNotImages) {
-  const Folder folder;
+  const TemporaryFolder folder;
   expect_refused(folder / "missing.png", ErrorKind::kIo, "does not exist");
   fs::create_directory(folder / "folder.png");
   expect_refused(folder / "folder.png", ErrorKind::kIo, "is a folder");
@@ -45,14 +53,14 @@ TEST(ImageFailure, RefusesFilesThatAreNotImages) {
 
 TEST(ImageFailure, UnreadableFile) {
   if (::geteuid() == 0) GTEST_SKIP() << "root reads everything";
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "a.png", random_image(2, 2, false, 1));
   fs::permissions(folder / "a.png", fs::perms::none);
   expect_refused(folder / "a.png", ErrorKind::kIo, "cannot be read");
 }
 
 TEST(ImageFailure, TheContentsDecideAndNotTheExtension) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_image(folder / "a.png", random_image(2, 2, false, 1));
   fs::rename(folder / "a.png", folder / "a.jpg");
   EXPECT_EQ(read_info(folder / "a.jpg").format, "png");
@@ -60,7 +68,7 @@ TEST(ImageFailure, TheContentsDecideAndNotTheExtension) {
 }
 
 TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const warp::Image image = random_image(40, 33, true, 3);
   for (const std::string extension : {".png", ".tif", ".jpg", ".webp", ".tga", ".exr"}) {
     const Bytes whole = encode_image(std::string("a").append(extension), image);
@@ -81,7 +89,7 @@ TEST(ImageFailure, TruncatedFilesAreRefusedAtAnyLength) {
 }
 
 TEST(ImageFailure, DamagedPngIsReportedWithItsChunk) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Bytes bytes = encode_image("a.png", random_image(20, 20, false, 3));
   bytes[bytes.size() / 2] ^= 0x10;
   write_bytes(folder / "a.png", bytes);
@@ -111,7 +119,7 @@ Bytes png_of_size(std::uint32_t width, std::uint32_t height) {
 }
 
 TEST(ImageFailure, HostileSizesAreRefusedFromTheHeader) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_bytes(folder / "huge.png", png_of_size(100000, 100000));
   expect_refused(folder / "huge.png", ErrorKind::kBadInput, "100000 x 100000");
   expect_refused(folder / "huge.png", ErrorKind::kBadInput, "65536");
@@ -122,7 +130,7 @@ TEST(ImageFailure, HostileSizesAreRefusedFromTheHeader) {
 }
 
 TEST(ImageFailure, ManyMissingLinesCostNothing) {
-  const Folder folder;
+  const TemporaryFolder folder;
   write_bytes(folder / "empty.png", png_of_size(30000, 30000));
   EXPECT_EQ(error_of([&] { read_picture(folder / "empty.png"); }).kind(), ErrorKind::kBadInput);
 }
@@ -134,7 +142,7 @@ Bytes psd_head(std::uint8_t colors, std::uint8_t resources) {
 }
 
 TEST(ImageFailure, RefusesHeadersWithSizesBeyondTheFile) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto refused = [&](const Bytes& bytes, const std::string& part) {
     write_bytes(folder / "a", bytes);
     expect_refused(folder / "a", ErrorKind::kBadInput, part);
@@ -154,7 +162,7 @@ TEST(ImageFailure, RefusesHeadersWithSizesBeyondTheFile) {
 }
 
 TEST(ImageFailure, DeepImagesAreRefused) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(1, 1, 5, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"R", "G", "B", "A", "Z"};
   spec.deep = true;
@@ -168,7 +176,7 @@ TEST(ImageFailure, DeepImagesAreRefused) {
 }
 
 TEST(ImageFailure, RefusesToWriteToImpossiblePlaces) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const warp::Image image = random_image(2, 2, false, 1);
   const auto refused = [&](const fs::path& file, ErrorKind code, const std::string& part) {
     const Error error = error_of([&] { write_image(file, image); });
@@ -190,7 +198,7 @@ TEST(ImageFailure, RefusesToWriteToImpossiblePlaces) {
 
 TEST(ImageFailure, ReadOnlyFolder) {
   if (::geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
-  const Folder folder;
+  const TemporaryFolder folder;
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   const Error error = error_of([&] { write_image(folder / "a.png", random_image(2, 2, false, 1)); });
   fs::permissions(folder.path(), fs::perms::owner_all);
@@ -223,7 +231,7 @@ TEST(ImageFailure, RefusesSizesAndQualitiesThatTheFormatDoesNotSupport) {
 
 TEST(ImageFailure, FullDisk) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can mount a small disk";
-  const Folder folder;
+  const TemporaryFolder folder;
   if (::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
     GTEST_SKIP() << "mounting is not allowed here";
   for (const std::string extension : {".png", ".tif", ".exr", ".webp", ".tga", ".jpg"}) {
@@ -238,4 +246,4 @@ TEST(ImageFailure, FullDisk) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

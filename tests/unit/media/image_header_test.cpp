@@ -12,8 +12,14 @@
 #include "tests/unit/media/image_support.h"
 #include "warp/image/color.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::contains;
+using test::distance;
+using test::random_image;
+using test::TemporaryFolder;
 
 template <typename Sample>
 void make(const fs::path& file, const OIIO::ImageSpec& spec, const std::vector<Sample>& samples) {
@@ -52,7 +58,7 @@ cv::Point upright(int orientation, int x, int y) {
 }
 
 TEST(ImageHeader, AllEightOrientationsAreTurnedUpright) {
-  const Folder folder;
+  const TemporaryFolder folder;
   std::vector<std::uint8_t> samples(3 * 2 * 3);
   std::iota(samples.begin(), samples.end(), std::uint8_t{10});
   for (int orientation = 1; orientation <= 8; ++orientation) {
@@ -82,7 +88,7 @@ TEST(ImageHeader, AllEightOrientationsAreTurnedUpright) {
 }
 
 TEST(ImageHeader, JpegOrientationIsObeyed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(32, 16, 3, OIIO::TypeDesc::UINT8);
   spec["Orientation"] = 6;
   make(folder / "a.jpg", spec, std::vector<std::uint8_t>(32 * 16 * 3, 99));
@@ -93,7 +99,7 @@ TEST(ImageHeader, JpegOrientationIsObeyed) {
 }
 
 TEST(ImageHeader, ChannelsByCount) {
-  const Folder folder;
+  const TemporaryFolder folder;
   make(folder / "gray.png", OIIO::ImageSpec(2, 1, 1, OIIO::TypeDesc::UINT8), std::vector<std::uint8_t>{50, 200});
   const Picture gray = read_picture(folder / "gray.png");
   EXPECT_EQ(gray.image(0, 1), warp::Pixel(srgb8(200), srgb8(200), srgb8(200), 1));
@@ -110,7 +116,7 @@ TEST(ImageHeader, ChannelsByCount) {
 }
 
 TEST(ImageHeader, ChannelsByName) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(1, 1, 7, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"Z", "A", "normal.X", "B", "G", "R", "id"};
   make(folder / "many.exr", spec, std::vector<float>{9, 0.5F, 8, 3, 2, 1, 7});
@@ -126,7 +132,7 @@ TEST(ImageHeader, ChannelsByName) {
 }
 
 TEST(ImageHeader, ExrIsAsLargeAsItsDisplayWindow) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(2, 2, 3, OIIO::TypeDesc::FLOAT);
   spec.x = 3, spec.y = -1;  // one row above the window, one column in it, one to the right
   spec.full_width = 4, spec.full_height = 3;
@@ -139,7 +145,7 @@ TEST(ImageHeader, ExrIsAsLargeAsItsDisplayWindow) {
 }
 
 TEST(ImageHeader, TiledFilesAreRead) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const std::string name : {"a.exr", "a.tif"}) {
     OIIO::ImageSpec spec(150, 90, 3, OIIO::TypeDesc::FLOAT);
     spec.tile_width = spec.tile_height = 32;
@@ -155,7 +161,7 @@ TEST(ImageHeader, TiledFilesAreRead) {
 }
 
 TEST(ImageHeader, NonFiniteExrPixelsBecomeTransparentAndAreCounted) {
-  const Folder folder;
+  const TemporaryFolder folder;
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   make(folder / "a.exr", OIIO::ImageSpec(2, 2, 4, OIIO::TypeDesc::FLOAT),
@@ -168,7 +174,7 @@ TEST(ImageHeader, NonFiniteExrPixelsBecomeTransparentAndAreCounted) {
 }
 
 TEST(ImageHeader, AssociatedTiffIsNotPremultipliedAgain) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::UINT8);
   make(folder / "a.tif", spec, std::vector<std::uint8_t>{102, 51, 0, 102});
   const warp::Pixel pixel = read_picture(folder / "a.tif").image(0, 0);
@@ -178,7 +184,7 @@ TEST(ImageHeader, AssociatedTiffIsNotPremultipliedAgain) {
 }
 
 TEST(ImageHeader, ColorTagsAreObeyed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::vector<std::uint8_t> samples = {128, 64, 255};
   OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
   const auto red = [&](const std::string& name, const std::string& tag, float gamma) {
@@ -198,7 +204,7 @@ TEST(ImageHeader, ColorTagsAreObeyed) {
 }
 
 TEST(ImageHeader, KeepsMetadataExceptAttributesThatWouldBeWrong) {
-  const Folder folder;
+  const TemporaryFolder folder;
   OIIO::ImageSpec spec(4, 2, 3, OIIO::TypeDesc::UINT8);
   spec["Copyright"] = "a photographer";
   spec["Artist"] = "somebody";
@@ -235,7 +241,7 @@ TEST(ImageHeader, KeepsMetadataExceptAttributesThatWouldBeWrong) {
 }
 
 TEST(ImageHeader, NoDateIsInvented) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const std::string name : {"b.tif", "b.jpg", "b.exr", "b.png"}) {
     write_image(folder / name, random_image(3, 3, false, 1));
     for (const auto& [key, text] : read_info(folder / name).metadata) {
@@ -245,4 +251,4 @@ TEST(ImageHeader, NoDateIsInvented) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

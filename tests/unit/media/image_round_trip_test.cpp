@@ -9,8 +9,16 @@
 #include "tests/unit/media/image_support.h"
 #include "warp/image/color.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::contains;
+using test::distance;
+using test::error_of;
+using test::random_image;
+using test::read_bytes;
+using test::TemporaryFolder;
 
 struct Case {
   std::string extension;
@@ -48,7 +56,7 @@ WriteOptions lossless(Depth depth) {
 }
 
 TEST(ImageRoundTrip, OneTripIsWithinHalfACodeAndTheNextIsExact) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const unsigned seed = std::random_device{}();
   for (const Case& test : lossless_cases()) {
     for (const cv::Size size : {cv::Size(1, 1), cv::Size(7, 3), cv::Size(2, 131), cv::Size(301, 70)}) {
@@ -77,7 +85,7 @@ TEST(ImageRoundTrip, OneTripIsWithinHalfACodeAndTheNextIsExact) {
 }
 
 TEST(ImageRoundTrip, InfoDescribesTheWrittenFile) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const Case& test : lossless_cases()) {
     SCOPED_TRACE(testing::Message() << test.extension << " " << shown_depth(test.depth) << " alpha " << test.alpha);
     const fs::path file = folder / ("a" + test.extension);
@@ -98,7 +106,7 @@ TEST(ImageRoundTrip, InfoDescribesTheWrittenFile) {
 }
 
 TEST(ImageRoundTrip, AutoDepthIsTheUsualOne) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::string>> cases = {{".png", "uint8"}, {".tif", "uint16"},
                                                                   {".jpg", "uint8"}, {".webp", "uint8"},
                                                                   {".tga", "uint8"}, {".EXR", "half"}};
@@ -110,7 +118,7 @@ TEST(ImageRoundTrip, AutoDepthIsTheUsualOne) {
 }
 
 TEST(ImageRoundTrip, LossyFormatsStayClose) {
-  const Folder folder;
+  const TemporaryFolder folder;
   warp::Image image(64, 64);
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -129,7 +137,7 @@ TEST(ImageRoundTrip, LossyFormatsStayClose) {
 }
 
 TEST(ImageRoundTrip, JpegGetsTheImageOverBlack) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const warp::Pixel half_white(0.25F, 0.25F, 0.25F, 0.25F);
   write_image(folder / "a.jpg", warp::Image(16, 16, half_white));
   const Picture picture = read_picture(folder / "a.jpg");
@@ -138,7 +146,7 @@ TEST(ImageRoundTrip, JpegGetsTheImageOverBlack) {
 }
 
 TEST(ImageRoundTrip, AlphaCanBeForcedAndForbidden) {
-  const Folder folder;
+  const TemporaryFolder folder;
   WriteOptions options;
   options.alpha = true;
   write_image(folder / "opaque.png", random_image(3, 3, false, 1), options);
@@ -149,7 +157,7 @@ TEST(ImageRoundTrip, AlphaCanBeForcedAndForbidden) {
 }
 
 TEST(ImageRoundTrip, ExrKeepsValuesAboveOneAndBelowZero) {
-  const Folder folder;
+  const TemporaryFolder folder;
   warp::Image image(1, 2);
   image(0, 0) = warp::Pixel(1000.0F, -2.0F, 0.5F, 0.25F);
   image(0, 1) = warp::Pixel(1e9F, -1e9F, 0.0F, 1.0F);
@@ -160,7 +168,7 @@ TEST(ImageRoundTrip, ExrKeepsValuesAboveOneAndBelowZero) {
 }
 
 TEST(ImageRoundTrip, ColorSpaceOverrides) {
-  const Folder folder;
+  const TemporaryFolder folder;
   warp::Image image(1, 1, warp::Pixel(0.2F, 0.4F, 0.6F, 1.0F));
   write_image(folder / "a.png", image, lossless(Depth::k16));
   const warp::Image as_linear = read_picture(folder / "a.png", ColorSpace::kLinear).image;
@@ -180,7 +188,7 @@ TEST(ImageRoundTrip, ThreadsAndRepetitionsGiveTheSameBytes) {
 }
 
 TEST(ImageRoundTrip, CompressionChangesOnlyTheSize) {
-  const Folder folder;
+  const TemporaryFolder folder;
   // Smooth with a repeated pattern: filters, runs and long matches all help.
   warp::Image image(90, 160);
   for (int y = 0; y < image.rows; ++y)
@@ -221,7 +229,7 @@ TEST(ImageRoundTrip, RefusesCompressionThatTheFormatDoesNotSupport) {
 }
 
 TEST(ImageRoundTrip, MapsAreStoredUnchanged) {
-  const Folder folder;
+  const TemporaryFolder folder;
   warp::Map map(3, 5);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x)
@@ -257,4 +265,4 @@ TEST(ImageNames, ErrorsListTheChoices) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

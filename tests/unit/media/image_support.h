@@ -17,15 +17,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
-namespace morphkit::media::test {
-
-namespace fs = std::filesystem;
-using morphkit::test::Bytes;
-using morphkit::test::contains;
-using morphkit::test::error_of;
-using morphkit::test::read_bytes;
-using morphkit::test::write_bytes;
-using Folder = morphkit::test::TemporaryFolder;
+namespace morphkit::test {
 
 /// Linear, premultiplied noise in [0, 1].
 inline warp::Image random_image(int width, int height, bool with_alpha, unsigned seed) {
@@ -54,4 +46,4 @@ inline double distance(const warp::Image& a, const warp::Image& b) {
   return largest;
 }
 
-}  // namespace morphkit::media::test
+}  // namespace morphkit::test

@@ -11,8 +11,14 @@
 
 #include "tests/unit/media/sink_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::Bytes;
+using test::has_children;
+using test::read_bytes;
+using test::TemporaryFolder;
 
 std::vector<std::string> shell(const std::string& script) {
   return {"sh", "-c", script};
@@ -23,7 +29,7 @@ Bytes bytes_of(const std::string& text) {
 }
 
 TEST(Process, FeedsStandardInputAndReportsTheEnd) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   Process process({"sh", "-c", "cat > \"$1\"", "sh", (folder / "it's $HOME.txt").string()});
   Bytes sent;
   for (int i = 0; i < 300; ++i) {
@@ -151,4 +157,4 @@ TEST(Process, LeaksNoDescriptors) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

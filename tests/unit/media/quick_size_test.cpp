@@ -13,6 +13,8 @@
 namespace morphkit::media {
 namespace {
 
+using test::exif_saying;
+
 using test::TemporaryFolder;
 
 /// A PNG file of header, pixels and end alone.

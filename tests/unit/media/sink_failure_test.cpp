@@ -9,8 +9,17 @@
 
 #include "tests/unit/media/sink_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::Environment;
+using test::error_of;
+using test::has_children;
+using test::moving_picture;
+using test::read_bytes;
+using test::TemporaryFolder;
+using test::write_all;
 
 const cv::Size kSize(64, 48);
 
@@ -30,7 +39,7 @@ class FakeFfmpeg {
   }
 
  private:
-  TempFolder folder_;
+  TemporaryFolder folder_;
   Environment path_;
 };
 
@@ -39,14 +48,14 @@ Error failure_of(const fs::path& file) {
   return error_of([&] { write_all(*open_sink(file, options(), false), kSize, 300); });
 }
 
-void expect_nothing_left(const TempFolder& folder) {
+void expect_nothing_left(const TemporaryFolder& folder) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{});
   EXPECT_FALSE(has_children());
 }
 
 TEST(VideoFailure, AMissingFfmpegIsReportedWithARemedy) {
-  const TempFolder folder;
-  const TempFolder empty;
+  const TemporaryFolder folder;
+  const TemporaryFolder empty;
   const Environment path("PATH", empty.path().string());
   for (const char* name : {"out.mp4", "out.gif"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), false); });
@@ -59,8 +68,8 @@ TEST(VideoFailure, AMissingFfmpegIsReportedWithARemedy) {
 }
 
 TEST(VideoFailure, AnFfmpegThatCannotRunIsReported) {
-  const TempFolder folder;
-  const TempFolder programs;
+  const TemporaryFolder folder;
+  const TemporaryFolder programs;
   std::ofstream(programs / "ffmpeg") << "not executable";
   const Environment path("PATH", programs.path().string());
   const Error error = error_of([&] { open_sink(folder / "out.mp4", options(), false); });
@@ -70,7 +79,7 @@ TEST(VideoFailure, AnFfmpegThatCannotRunIsReported) {
 }
 
 TEST(VideoFailure, AnFfmpegThatDiesAtOnceIsQuoted) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const FakeFfmpeg fake("echo 'Unknown encoder libx264' >&2; exit 3");
   const Error error = failure_of(folder / "out.mp4");
   EXPECT_EQ(error.kind(), ErrorKind::kFailed);
@@ -81,7 +90,7 @@ TEST(VideoFailure, AnFfmpegThatDiesAtOnceIsQuoted) {
 }
 
 TEST(VideoFailure, AnFfmpegThatDiesInTheMiddleIsQuoted) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const FakeFfmpeg fake("head -c 100000 > /dev/null; echo 'half way' >&2; kill -9 $$");
   const Error error = failure_of(folder / "out.mkv");
   EXPECT_EQ(error.kind(), ErrorKind::kFailed);
@@ -91,7 +100,7 @@ TEST(VideoFailure, AnFfmpegThatDiesInTheMiddleIsQuoted) {
 }
 
 TEST(VideoFailure, AnFfmpegThatClosesItsInputAndSaysNothing) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const FakeFfmpeg fake("exec 0<&-; exit 0");
   const Error error = failure_of(folder / "out.webm");
   EXPECT_EQ(error.kind(), ErrorKind::kFailed);
@@ -99,7 +108,7 @@ TEST(VideoFailure, AnFfmpegThatClosesItsInputAndSaysNothing) {
 }
 
 TEST(VideoFailure, AnFfmpegThatWritesNothingIsAFailure) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const FakeFfmpeg fake("cat > /dev/null");
   const Error error = failure_of(folder / "out.webm");
   EXPECT_EQ(error.kind(), ErrorKind::kFailed);
@@ -108,7 +117,7 @@ TEST(VideoFailure, AnFfmpegThatWritesNothingIsAFailure) {
 }
 
 TEST(VideoFailure, AFullDiskIsAnInputOutputError) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const FakeFfmpeg fake("cat > /dev/null; echo 'Error writing trailer: No space left on device' >&2; exit 1");
   const Error error = failure_of(folder / "out.mp4");
   EXPECT_EQ(error.kind(), ErrorKind::kIo);
@@ -117,7 +126,7 @@ TEST(VideoFailure, AFullDiskIsAnInputOutputError) {
 }
 
 TEST(VideoFailure, ARealFfmpegThatCannotWriteIsNoticed) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   // An inherited limit on the size of files acts as a full disk: write() fails with EFBIG.
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -135,7 +144,7 @@ TEST(VideoFailure, ARealFfmpegThatCannotWriteIsNoticed) {
 }
 
 TEST(VideoFailure, WithoutFinishNothingIsLeft) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const char* name : {"o.mp4", "o.webm", "o.mkv", "o.mov", "o.gif", "o.apng"}) {
     const auto sink = open_sink(folder / name, options(), false);
     for (int frame = 0; frame < 5; ++frame) sink->write(frame, sink->encode(frame, moving_picture(kSize, frame)));
@@ -145,7 +154,7 @@ TEST(VideoFailure, WithoutFinishNothingIsLeft) {
 }
 
 TEST(VideoFailure, WithoutFinishTheOldVideoStays) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "o.mp4") << "old";
   SinkOptions overwriting = options();
   overwriting.image.overwrite = true;
@@ -161,7 +170,7 @@ TEST(VideoFailure, WithoutFinishTheOldVideoStays) {
 }
 
 TEST(VideoFailure, WithoutOverwriteAnExistingVideoIsRefusedAtOnce) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "o.mp4") << "old";
   const Error error = error_of([&] { open_sink(folder / "o.mp4", options(), false); });
   EXPECT_EQ(error.kind(), ErrorKind::kIo);
@@ -171,14 +180,14 @@ TEST(VideoFailure, WithoutOverwriteAnExistingVideoIsRefusedAtOnce) {
 }
 
 TEST(VideoFailure, NoFramesMakeNoVideo) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Error error = error_of([&] { open_sink(folder / "o.mp4", options(), false)->finish(); });
   EXPECT_EQ(error.kind(), ErrorKind::kFailed);
   expect_nothing_left(folder);
 }
 
 TEST(VideoFailure, ImpossibleOptionsAreRefused) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto refusal = [&](const char* name, int num, int den, int quality) {
     SinkOptions how = options();
     how.fps_num = num;
@@ -197,10 +206,10 @@ TEST(VideoFailure, ImpossibleOptionsAreRefused) {
 }
 
 TEST(VideoFailure, AFrameOfAnotherSizeIsABrokenContract) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto sink = open_sink(folder / "o.mp4", options(), false);
   EXPECT_THROW(sink->encode(0, moving_picture({63, 48}, 0)), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

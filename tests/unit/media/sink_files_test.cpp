@@ -4,8 +4,14 @@
 
 #include "tests/unit/media/sink_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::error_of;
+using test::moving_picture;
+using test::read_bytes;
+using test::TemporaryFolder;
 
 constexpr int kWidth = 20, kHeight = 12;
 
@@ -20,7 +26,7 @@ void write_frame(FrameSink& sink, int frame, const warp::Image& image) {
 }
 
 TEST(FileSink, WritesNumberedFramesInAnyOrder) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto sink = open_sink(folder / "f.%03d.png", options(), false);
   for (const int frame : {7, 2, 5}) {
     EXPECT_FALSE(sink->has(frame));
@@ -35,7 +41,7 @@ TEST(FileSink, WritesNumberedFramesInAnyOrder) {
 }
 
 TEST(FileSink, TheFileEqualsThatOfWriteImage) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const warp::Image image = moving_picture({kWidth, kHeight}, 3, true);
   SinkOptions deep = options();
   deep.image.depth = Depth::k16;
@@ -46,7 +52,7 @@ TEST(FileSink, TheFileEqualsThatOfWriteImage) {
 }
 
 TEST(FileSink, HasFindsOnlyWholeFramesOfTheRightSize) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto sink = open_sink(folder / "f.%d.png", options(), false);
   std::ofstream(folder / "f.1.png").close();
   std::ofstream(folder / "f.2.png") << "this is no picture";
@@ -59,7 +65,7 @@ TEST(FileSink, HasFindsOnlyWholeFramesOfTheRightSize) {
 }
 
 TEST(FileSink, AFrameThatExistsIsRefusedUnlessOverwriting) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "f.1.png") << "keep me";
   const warp::Image image = moving_picture({kWidth, kHeight}, 0);
   const Error error = error_of([&] { write_frame(*open_sink(folder / "f.%d.png", options(), false), 1, image); });
@@ -74,7 +80,7 @@ TEST(FileSink, AFrameThatExistsIsRefusedUnlessOverwriting) {
 }
 
 TEST(FileSink, ASingleFrameTakesAPlainName) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto sink = open_sink(folder / "still.png", options(), true);
   EXPECT_TRUE(sink->existing({12}).empty());
   write_frame(*sink, 12, moving_picture({kWidth, kHeight}, 12));
@@ -83,7 +89,7 @@ TEST(FileSink, ASingleFrameTakesAPlainName) {
 }
 
 TEST(FileSink, SeveralFramesNeedAPlaceForTheNumber) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Error error = error_of([&] { open_sink(folder / "still.png", options(), false); });
   EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
   EXPECT_NE(error.message().find("still.%04d.png"), std::string::npos) << error.message();
@@ -91,14 +97,14 @@ TEST(FileSink, SeveralFramesNeedAPlaceForTheNumber) {
 }
 
 TEST(FileSink, AnImageOfAnotherSizeIsABrokenContract) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto sink = open_sink(folder / "f.%d.png", options(), false);
   EXPECT_THROW(sink->encode(0, moving_picture({kWidth + 1, kHeight}, 0)), std::invalid_argument);
   EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(OpenSink, AnUnknownKindIsRefusedWithTheChoices) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const char* name : {"out.avi", "out", "out.%04d", "out.%04d.xyz", "out.txt"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), true); });
     EXPECT_EQ(error.kind(), ErrorKind::kUnsupported) << name;
@@ -112,7 +118,7 @@ TEST(OpenSink, AnUnknownKindIsRefusedWithTheChoices) {
 }
 
 TEST(OpenSink, RefusesOptionsThatTheKindDoesNotSupport) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto refusal = [&](const char* name, const std::string& preset, int compression) {
     SinkOptions how = options();
     how.preset = preset;
@@ -138,7 +144,7 @@ TEST(OpenSink, RefusesOptionsThatTheKindDoesNotSupport) {
 }
 
 TEST(OpenSink, AMissingFolderIsNamed) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "file") << "x";
   for (const char* name : {"none/f.%d.png", "none/still.png", "none/out.mp4", "file/f.%d.png", "file/out.mp4"}) {
     const Error error = error_of([&] { open_sink(folder / name, options(), true); });
@@ -150,7 +156,7 @@ TEST(OpenSink, AMissingFolderIsNamed) {
 }
 
 TEST(OpenSink, AFolderThatCannotBeWrittenIsNamed) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const fs::path locked = folder / "locked";
   fs::create_directory(locked);
   fs::permissions(locked,
@@ -168,4 +174,4 @@ TEST(OpenSink, AFolderThatCannotBeWrittenIsNamed) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

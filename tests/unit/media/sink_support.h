@@ -24,14 +24,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
-namespace morphkit::media::test {
-
-namespace fs = std::filesystem;
-
-using morphkit::test::Bytes;
-using morphkit::test::error_of;
-using morphkit::test::read_bytes;
-using TempFolder = morphkit::test::TemporaryFolder;
+namespace morphkit::test {
 
 /// Sets an environment variable for the lifetime of the object.
 class Environment {
@@ -66,7 +59,7 @@ inline Bytes output_of(const std::string& command) {
 }
 
 /// ffprobe's report on the only video stream, with every frame decoded and counted.
-inline std::map<std::string, std::string> probe(const fs::path& file) {
+inline std::map<std::string, std::string> probe(const std::filesystem::path& file) {
   const Bytes text =
       output_of("ffprobe -v error -count_frames -select_streams v -show_streams '" + file.string() + "'");
   std::istringstream lines(std::string(text.begin(), text.end()));
@@ -78,7 +71,7 @@ inline std::map<std::string, std::string> probe(const fs::path& file) {
 }
 
 /// All frames, one after the other, in ffmpeg's pixel format `pix_fmt`.
-inline Bytes decode(const fs::path& file, const std::string& pix_fmt, const std::string& decoder = "") {
+inline Bytes decode(const std::filesystem::path& file, const std::string& pix_fmt, const std::string& decoder = "") {
   const std::string input = decoder.empty() ? " -i '" : " -c:v " + decoder + " -i '";
   return output_of("ffmpeg -nostdin -v error" + input + file.string() +
                    "' -fps_mode passthrough -sws_flags accurate_rnd+full_chroma_int+bicubic -f rawvideo -pix_fmt " +
@@ -86,7 +79,7 @@ inline Bytes decode(const fs::path& file, const std::string& pix_fmt, const std:
 }
 
 /// The same in 8-bit RGB or RGBA. `deep` files are decoded to 16 bits and rounded by us: swscale truncates.
-inline Bytes decode8(const fs::path& file, bool alpha, bool deep, const std::string& decoder = "") {
+inline Bytes decode8(const std::filesystem::path& file, bool alpha, bool deep, const std::string& decoder = "") {
   if (!deep) return decode(file, alpha ? "rgba" : "rgb24", decoder);
   const Bytes codes = decode(file, alpha ? "rgba64le" : "rgb48le", decoder);
   Bytes bytes;
@@ -121,7 +114,7 @@ inline warp::Image moving_picture(cv::Size size, int frame, bool with_alpha = fa
 }
 
 /// Writes frames 0 .. count-1 and finishes.
-inline void write_all(FrameSink& sink, cv::Size size, int count, bool with_alpha = false) {
+inline void write_all(media::FrameSink& sink, cv::Size size, int count, bool with_alpha = false) {
   for (int frame = 0; frame < count; ++frame)
     sink.write(frame, sink.encode(frame, moving_picture(size, frame, with_alpha)));
   sink.finish();
@@ -132,4 +125,4 @@ inline bool has_children() {
   return ::waitpid(-1, nullptr, WNOHANG | WNOWAIT) != -1;
 }
 
-}  // namespace morphkit::media::test
+}  // namespace morphkit::test

@@ -7,8 +7,19 @@
 #include "morph/media/raw_frame.h"
 #include "tests/unit/media/sink_support.h"
 
-namespace morphkit::media::test {
+namespace morphkit::media {
 namespace {
+
+namespace fs = std::filesystem;
+using test::Bytes;
+using test::decode;
+using test::decode8;
+using test::moving_picture;
+using test::probe;
+using test::psnr;
+using test::read_bytes;
+using test::TemporaryFolder;
+using test::write_all;
 
 constexpr int kFrames = 12;
 
@@ -91,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(All, VideoKinds, testing::ValuesIn(kKinds), [](const au
 
 TEST_P(VideoKinds, HasTheRightCodecSizeAndTags) {
   const Kind& kind = GetParam();
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const fs::path file = write_video(folder / (std::string("v") + kind.extension), options({64, 48}, kind.alpha));
   auto found = probe(file);
   EXPECT_EQ(found["codec_name"], kind.codec);
@@ -116,7 +127,7 @@ TEST_P(VideoKinds, HasTheRightCodecSizeAndTags) {
 
 TEST_P(VideoKinds, DecodesToTheOriginalPictures) {
   const Kind& kind = GetParam();
-  const TempFolder folder;
+  const TemporaryFolder folder;
   // Odd both ways, to show that no kind crops, shifts or smears the last column.
   for (const cv::Size size : {cv::Size(64, 48), cv::Size(63, 47)}) {
     const fs::path file =
@@ -139,7 +150,7 @@ TEST_P(VideoKinds, DecodesToTheOriginalPictures) {
 
 TEST_P(VideoKinds, TheSameFramesGiveTheSameBytes) {
   const Kind& kind = GetParam();
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Bytes first =
       read_bytes(write_video(folder / (std::string("one") + kind.extension), options({96, 64}, kind.alpha)));
   const Bytes second =
@@ -150,13 +161,13 @@ TEST_P(VideoKinds, TheSameFramesGiveTheSameBytes) {
 
 TEST_P(VideoKinds, HoldsOneFrame) {
   const Kind& kind = GetParam();
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const fs::path file = write_video(folder / (std::string("v") + kind.extension), options({2, 2}, kind.alpha), 1);
   EXPECT_EQ(probe(file)["nb_read_frames"], "1");
 }
 
 TEST(Video, MkvIsLossless) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const bool alpha : {false, true}) {
     const cv::Size size(63, 47);
     const fs::path file = write_video(folder / (alpha ? "a.mkv" : "o.mkv"), options(size, alpha));
@@ -166,7 +177,7 @@ TEST(Video, MkvIsLossless) {
 }
 
 TEST(Video, FormatsWithoutAlphaGetFramesOverBlack) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const cv::Size size(32, 32);
   const auto sink = open_sink(folder / "v.mp4", options(size, true), false);
   const warp::Image half(size, warp::Pixel(0.25F, 0.1F, 0.05F, 0.5F));
@@ -180,7 +191,7 @@ TEST(Video, FormatsWithoutAlphaGetFramesOverBlack) {
 }
 
 TEST(Video, GifKeepsTransparencyOnOrOff) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const fs::path file = write_video(folder / "v.gif", options({64, 48}, true));
   const Bytes decoded = decode8(file, true, false);
   const Bytes wanted = originals(RawFormat::kRgba, {64, 48}, true);
@@ -197,7 +208,7 @@ TEST(Video, GifKeepsTransparencyOnOrOff) {
 }
 
 TEST(Video, AnimationsLoopForEver) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const Bytes gif = read_bytes(write_video(folder / "v.gif", options({16, 16})));
   const std::string loop = std::string("NETSCAPE2.0\x03\x01\0\0", 15);
   EXPECT_NE(std::search(gif.begin(), gif.end(), loop.begin(), loop.end()), gif.end());
@@ -212,7 +223,7 @@ TEST(Video, AnimationsLoopForEver) {
 }
 
 TEST(Video, RatesAreRational) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   struct Rate {
     int num, den;
   };
@@ -236,7 +247,7 @@ TEST(Video, RatesAreRational) {
 }
 
 TEST(Video, QualityIsTheCrf) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const char* extension : {".mp4", ".webm"}) {
     std::uintmax_t bytes[2];
     for (const int i : {0, 1}) {
@@ -249,7 +260,7 @@ TEST(Video, QualityIsTheCrf) {
 }
 
 TEST(Video, PresetsTradeTimeForSize) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto size_with = [&](const std::string& name, const std::string& preset, int compression) {
     SinkOptions how = options({320, 180});
     how.preset = preset;
@@ -264,7 +275,7 @@ TEST(Video, PresetsTradeTimeForSize) {
 }
 
 TEST(Video, NamesAreTakenLiterally) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const char* name : {"pipe:1.mp4", "-y.mp4", "it's 100% \"$HOME\" `x`;.mp4", "concat:a|b.MP4", "äöü.mkv"}) {
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
@@ -276,4 +287,4 @@ TEST(Video, NamesAreTakenLiterally) {
 }
 
 }  // namespace
-}  // namespace morphkit::media::test
+}  // namespace morphkit::media

@@ -9,8 +9,8 @@
 namespace morphkit::motion {
 namespace {
 
-using testing::kRandomCurves;
-using testing::random_curve;
+using test::kRandomCurves;
+using test::random_curve;
 
 // The length of a chain of very many chords: slow, a lower bound, and independent of any integration rule. Its error
 // falls with the square of the step; Richardson extrapolation removes that term where the curve is smooth.

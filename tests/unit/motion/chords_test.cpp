@@ -9,8 +9,8 @@
 namespace morphkit::motion {
 namespace {
 
-using testing::kRandomCurves;
-using testing::random_curve;
+using test::kRandomCurves;
+using test::random_curve;
 
 double distance_to_chord(cv::Point2d p, cv::Point2d a, cv::Point2d b) {
   const cv::Point2d ab = b - a;

@@ -12,8 +12,8 @@ namespace morphkit::motion {
 namespace {
 
 using Points = std::vector<cv::Point2d>;
-using testing::kRandomCurves;
-using testing::random_curve;
+using test::kRandomCurves;
+using test::random_curve;
 
 double distance(cv::Point2d a, cv::Point2d b) {
   return std::hypot(a.x - b.x, a.y - b.y);

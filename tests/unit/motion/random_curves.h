@@ -6,17 +6,18 @@
 
 #include "morph/motion/curve.h"
 
-namespace morphkit::motion::testing {
+namespace morphkit::test {
 
-constexpr CurveKind kKinds[] = {CurveKind::kPolyline, CurveKind::kCatmullRom, CurveKind::kBezier};
+constexpr motion::CurveKind kKinds[] = {motion::CurveKind::kPolyline, motion::CurveKind::kCatmullRom,
+                                        motion::CurveKind::kBezier};
 
 struct RandomCurve {
-  CurveKind kind;
+  motion::CurveKind kind;
   bool closed;
   std::vector<cv::Point2d> points;
   std::string name;
 
-  Curve curve() const { return {kind, points, closed}; }
+  motion::Curve curve() const { return {kind, points, closed}; }
 };
 
 /// Between 2 and 7 points in a square of 400 px; Beziers and closed curves get the next allowed number.
@@ -28,7 +29,7 @@ inline RandomCurve random_curve(unsigned seed) {
   result.closed = random() % 2 == 0;
   std::size_t count = 2 + random() % 6;
   if (result.closed && count < 3) count = 3;
-  if (result.kind == CurveKind::kBezier) count = result.closed ? count / 3 * 3 : 4 + count / 3 * 3;
+  if (result.kind == motion::CurveKind::kBezier) count = result.closed ? count / 3 * 3 : 4 + count / 3 * 3;
   for (std::size_t i = 0; i < count; ++i) {
     const double x = place(random), y = place(random);
     result.points.emplace_back(x, y);
@@ -40,4 +41,4 @@ inline RandomCurve random_curve(unsigned seed) {
 
 constexpr unsigned kRandomCurves = 60;
 
-}  // namespace morphkit::motion::testing
+}  // namespace morphkit::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace morphkit::project::testing {
+namespace morphkit::test {
 
 inline constexpr const char* kSides = R"("source": {"image": "a.png"}, "destination": {"image": "b.png"})";
 
@@ -256,4 +256,4 @@ inline std::vector<Bad> structurally_bad_documents() {
   };
 }
 
-}  // namespace morphkit::project::testing
+}  // namespace morphkit::test

@@ -14,13 +14,13 @@
 namespace morphkit::project {
 namespace {
 
-using testing::Bad;
-using testing::with;
-using testing::with_feature;
-using testing::with_line;
-using testing::with_mesh;
-using testing::with_output;
-using testing::with_shape;
+using test::Bad;
+using test::with;
+using test::with_feature;
+using test::with_line;
+using test::with_mesh;
+using test::with_output;
+using test::with_shape;
 
 void expect_bad(const Bad& bad) {
   SCOPED_TRACE(bad.text.substr(0, 300));
@@ -49,7 +49,7 @@ void expect_syntax_error(const std::string& text, const std::string& place, cons
 }
 
 TEST(Load, EverythingThatAProjectCanSay) {
-  const Project project = parse(testing::kFull, "dir/pair.json");
+  const Project project = parse(test::kFull, "dir/pair.json");
   EXPECT_EQ(project.file, "dir/pair.json");
   EXPECT_EQ(project.pictures[project::kSource], (Picture{"source", "cat.png", "srgb"}));
   EXPECT_EQ(project.pictures[project::kDestination], (Picture{"destination", "tiger.png", ""}));
@@ -78,7 +78,7 @@ TEST(Load, EverythingThatAProjectCanSay) {
 }
 
 TEST(Load, AMesh) {
-  const Project project = parse(testing::kMesh, "pair.json");
+  const Project project = parse(test::kMesh, "pair.json");
   ASSERT_TRUE(project.mesh);
   EXPECT_EQ(project.mesh->columns, 3);
   EXPECT_EQ(project.mesh->rows, 2);
@@ -115,7 +115,7 @@ TEST(Load, TheSmallestProjectHasTheDefaults) {
 }
 
 TEST(Load, AllGoodDocuments) {
-  for (const std::string& text : testing::good_documents()) {
+  for (const std::string& text : test::good_documents()) {
     SCOPED_TRACE(text);
     EXPECT_NO_THROW(parse(text, "pair.json"));
   }
@@ -161,7 +161,7 @@ TEST(Load, AnEasingThatStartsLateFillsTheRest) {
 }
 
 TEST(Load, WrongStructureNamesThePlace) {
-  for (const Bad& bad : testing::structurally_bad_documents()) expect_bad(bad);
+  for (const Bad& bad : test::structurally_bad_documents()) expect_bad(bad);
 }
 
 TEST(Load, WrongMeaningNamesThePlace) {
@@ -281,10 +281,10 @@ class LoadFile : public ::testing::Test {
 };
 
 TEST_F(LoadFile, RemembersWhereItCameFrom) {
-  const auto file = write("pair.json", testing::kFull);
+  const auto file = write("pair.json", test::kFull);
   const Project project = load(file);
   EXPECT_EQ(project.file, file);
-  EXPECT_EQ(*project.original, testing::kFull);
+  EXPECT_EQ(*project.original, test::kFull);
   EXPECT_EQ(resolve(project, project.pictures[project::kSource].image), directory_.path() / "cat.png");
   EXPECT_EQ(resolve(project, "/abs.png"), "/abs.png");
 }
@@ -293,7 +293,7 @@ TEST_F(LoadFile, MissingDirectoryAndUnreadable) {
   EXPECT_EQ(code_of(directory_.path() / "missing.json"), ErrorKind::kIo);
   EXPECT_EQ(code_of(directory_.path()), ErrorKind::kIo);
   EXPECT_EQ(code_of(write("empty.json", "")), ErrorKind::kBadInput);
-  const auto secret = write("secret.json", testing::kFull);
+  const auto secret = write("secret.json", test::kFull);
   std::filesystem::permissions(secret, std::filesystem::perms::none);
   if (::geteuid() != 0) {  // root reads everything
     EXPECT_EQ(code_of(secret), ErrorKind::kIo);
@@ -314,7 +314,7 @@ TEST_F(LoadFile, FeaturesAreLaidOverAProject) {
   ASSERT_EQ(project.features.size(), 1U);
   EXPECT_EQ(project.features[0].group, "g");
 
-  load_features(project, write("whole.json", testing::kFull));
+  load_features(project, write("whole.json", test::kFull));
   EXPECT_EQ(project.pictures[project::kSource].image, "mine.png");
   EXPECT_EQ(project.output.frames, 7);
   EXPECT_EQ(project.pull.a, 1);
@@ -322,7 +322,7 @@ TEST_F(LoadFile, FeaturesAreLaidOverAProject) {
 }
 
 TEST_F(LoadFile, AMeshIsLaidOverAProject) {
-  Project project = parse(testing::kFull, "");
+  Project project = parse(test::kFull, "");
   load_features(project, write("mesh.json", R"({"morphkit": 1, "mesh": {"size": [4, 3]}})"));
   EXPECT_EQ(project.pictures[project::kSource].image, "cat.png");
   EXPECT_TRUE(project.features.empty());
@@ -338,13 +338,13 @@ TEST_F(LoadFile, AMeshAndTheSettingsThatItIsLaidOverMustAgree) {
   const auto mesh = write("mesh.json", R"({"morphkit": 1, "mesh": {"size": [4, 3]}})");
   EXPECT_THROW(load_features(project, mesh), Error);
   EXPECT_FALSE(project.mesh);
-  project = parse(testing::kMesh, "");
+  project = parse(test::kMesh, "");
   EXPECT_THROW(load_features(project, write("none.json", R"({"morphkit": 1, "features": []})")), Error);
   EXPECT_TRUE(project.mesh);
 }
 
 TEST_F(LoadFile, BadFeaturesLeaveTheProjectAlone) {
-  Project project = parse(testing::kFull, "");
+  Project project = parse(test::kFull, "");
   const Project before = project;
   for (const std::string& text : {std::string(R"({"morphkit": 1})"), std::string(R"({"morphkit": 1, "features": 3})"),
                                   with_line(R"("group": "nowhere")"), with_shape(R"("fast")")}) {
@@ -355,7 +355,7 @@ TEST_F(LoadFile, BadFeaturesLeaveTheProjectAlone) {
 }
 
 TEST(Effective, TheNearestSettingWins) {
-  Project project = parse(testing::kFull, "");
+  Project project = parse(test::kFull, "");
   const Pull nose = effective_pull(project, project.features[1]);
   EXPECT_EQ(nose.a, 10);  // its own
   EXPECT_EQ(nose.b, 2);   // the project's
@@ -367,7 +367,7 @@ TEST(Effective, TheNearestSettingWins) {
 }
 
 TEST(Effective, OfAGroup) {
-  const Project project = parse(testing::kMesh, "");
+  const Project project = parse(test::kMesh, "");
   EXPECT_EQ(effective_pace(project, "face").shape, (motion::Timing{motion::SineEase{}, 0, 1}));
   EXPECT_EQ(effective_pace(project, "rim"), effective_pace(project));
   EXPECT_EQ(effective_pull(project, "rim"), effective_pull(project));

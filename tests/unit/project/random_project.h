@@ -13,14 +13,14 @@
 
 #include "morph/project/project.h"
 
-namespace morphkit::project::testing {
+namespace morphkit::test {
 
 class RandomProject {
  public:
   explicit RandomProject(unsigned seed) : random_(seed) {}
 
-  Project make() {
-    Project project;
+  project::Project make() {
+    project::Project project;
     project.pictures = {picture("source"), picture("destination")};
     for (int i = integer(0, 3); i > 0; --i) project.groups.push_back({"group " + std::to_string(i), pull(), pace()});
     for (int i = integer(0, 6); i > 0; --i) project.features.push_back(feature(project, "f" + std::to_string(i)));
@@ -28,13 +28,13 @@ class RandomProject {
     project.warp = warp(project);
     project.pull = pull();
     project.pace = pace();
-    project.blend = pick({Blend::kLinear, Blend::kDisplay});
+    project.blend = pick({project::Blend::kLinear, project::Blend::kDisplay});
     project.output = output();
     return project;
   }
 
   /// Changes one thing or a few.
-  void change(Project& project) {
+  void change(project::Project& project) {
     switch (integer(0, 12)) {
       case 0:
         project.features.push_back(feature(project, "new " + std::to_string(random_())));
@@ -44,7 +44,7 @@ class RandomProject {
         break;
       case 2:
         if (!project.features.empty()) {
-          Feature& changed = project.features[index(project.features)];
+          project::Feature& changed = project.features[index(project.features)];
           changed = feature(project, changed.id);
         }
         break;
@@ -108,7 +108,7 @@ class RandomProject {
   }
   cv::Point2d point() { return {coordinate(), coordinate()}; }
 
-  Picture picture(const char* id) {
+  project::Picture picture(const char* id) {
     return {id, pick<std::string>({"a.png", "../b c.exr", "/abs/\"quoted\".png", "b\xC3\xA4r.tif", "back\\slash"}),
             pick<std::string>({"", "srgb", "linear"})};
   }
@@ -147,19 +147,19 @@ class RandomProject {
     return timing;
   }
 
-  Pull pull() {
-    Pull pull;
+  project::Pull pull() {
+    project::Pull pull;
     if (coin()) pull.a = real(0, 10);
     if (coin()) pull.b = integer(0, 8);
     if (coin()) pull.p = real(0, 1);
     if (coin()) pull.scale = pick({warp::LineScale::kAlong, warp::LineScale::kUniform});
-    if (coin()) pull.between = pick({Between::kEndpoints, Between::kCentre});
+    if (coin()) pull.between = pick({project::Between::kEndpoints, project::Between::kCentre});
     if (coin()) pull.turns = integer(-3, 3);
     return pull;
   }
 
-  Pace pace() {
-    Pace pace;
+  project::Pace pace() {
+    project::Pace pace;
     if (coin()) pace.shape = timing();
     if (coin()) pace.dissolve = timing();
     return pace;
@@ -172,19 +172,20 @@ class RandomProject {
     return points;
   }
 
-  Feature feature(const Project& project, const std::string& id) {
-    Feature feature;
+  project::Feature feature(const project::Project& project, const std::string& id) {
+    project::Feature feature;
     feature.id = id;
     if (!project.groups.empty() && coin()) feature.group = project.groups[index(project.groups)].id;
-    feature.mark = pick({Mark(Line{}), Mark(Point{}), Mark(Curve{})});
-    if (std::holds_alternative<Line>(feature.mark)) {
+    feature.mark =
+        pick({project::Mark(project::Line{}), project::Mark(project::Point{}), project::Mark(project::Curve{})});
+    if (std::holds_alternative<project::Line>(feature.mark)) {
       feature.places[project::kSource] = walk(2);
       feature.places[project::kDestination] = walk(2);
-    } else if (std::holds_alternative<Point>(feature.mark)) {
+    } else if (std::holds_alternative<project::Point>(feature.mark)) {
       feature.places[project::kSource] = {point()};
       feature.places[project::kDestination] = {point()};
     } else {
-      Curve curve;
+      project::Curve curve;
       curve.closed = coin();
       curve.kind = pick({motion::CurveKind::kPolyline, motion::CurveKind::kCatmullRom, motion::CurveKind::kBezier});
       const auto count = [&] {
@@ -200,16 +201,16 @@ class RandomProject {
     return feature;
   }
 
-  std::vector<cv::Point2d> vertices(const Mesh& mesh) {
+  std::vector<cv::Point2d> vertices(const project::Mesh& mesh) {
     std::vector<cv::Point2d> result;
     for (int i = 0; i < mesh.columns * mesh.rows; ++i) result.push_back(point());
     return result;
   }
 
   /// Every vertex is in one of the groups or in none.
-  std::vector<MeshGroup> mesh_groups(const Project& project, const Mesh& mesh) {
-    std::vector<MeshGroup> result;
-    for (const Group& group : project.groups) {
+  std::vector<project::MeshGroup> mesh_groups(const project::Project& project, const project::Mesh& mesh) {
+    std::vector<project::MeshGroup> result;
+    for (const project::Group& group : project.groups) {
       if (coin()) result.push_back({group.id, {}});
     }
     for (int i = 0; i < mesh.columns * mesh.rows && !result.empty(); ++i) {
@@ -219,8 +220,8 @@ class RandomProject {
     return result;
   }
 
-  Mesh mesh(const Project& project) {
-    Mesh mesh;
+  project::Mesh mesh(const project::Project& project) {
+    project::Mesh mesh;
     mesh.columns = integer(2, 6);
     mesh.rows = integer(2, 6);
     if (coin()) mesh.vertices[project::kSource] = vertices(mesh);
@@ -229,40 +230,41 @@ class RandomProject {
     return mesh;
   }
 
-  Warp warp(const Project& project) {
-    Warp warp;
-    if (coin()) warp.method = pick({MethodName::kLines, MethodName::kMesh});
+  project::Warp warp(const project::Project& project) {
+    project::Warp warp;
+    if (coin()) warp.method = pick({project::MethodName::kLines, project::MethodName::kMesh});
     warp.mesh.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
     warp.mesh.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
     warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic, warp::Filter::kArea,
                         warp::Filter::kMitchell, warp::Filter::kLanczos});
     if (coin()) warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});
-    Project wanted = project;
+    project::Project wanted = project;
     wanted.warp = warp;
     agree(wanted);
     return wanted.warp;
   }
 
   /// Makes the warp one that the loader accepts.
-  static void agree(Project& project) {
-    if (!project.mesh && project.warp.method == MethodName::kMesh) project.warp.method.reset();
-    if (method_name_of(project) == MethodName::kMesh && project.warp.border == warp::Border::kMirror)
+  static void agree(project::Project& project) {
+    if (!project.mesh && project.warp.method == project::MethodName::kMesh) project.warp.method.reset();
+    if (project::method_name_of(project) == project::MethodName::kMesh && project.warp.border == warp::Border::kMirror)
       project.warp.border.reset();
   }
 
-  Output output() {
-    Output output;
+  project::Output output() {
+    project::Output output;
     if (coin()) output.size = cv::Size(integer(1, 5000), integer(1, 5000));
-    output.fit = pick({Fit::kContain, Fit::kCover, Fit::kStretch, Fit::kNone});
+    output.fit = pick({project::Fit::kContain, project::Fit::kCover, project::Fit::kStretch, project::Fit::kNone});
     output.frames = pick({48, integer(1, 10'000'000)});
     output.start = pick({1, integer(0, 100'000)});
-    if (coin()) output.fps = pick<Rate>({{25, 1}, {30000, 1001}, {48, 2}, {1, 7}});
+    if (coin()) output.fps = pick<project::Rate>({{25, 1}, {30000, 1001}, {48, 2}, {1, 7}});
     switch (integer(0, 3)) {
       case 0:
-        output.background = Color{integer(0, 255) / 255.0, integer(0, 255) / 255.0, 0, pick({0.0, 1.0, 128 / 255.0})};
+        output.background =
+            project::Color{integer(0, 255) / 255.0, integer(0, 255) / 255.0, 0, pick({0.0, 1.0, 128 / 255.0})};
         break;
       case 1:
-        output.background = Color{real(0, 1), real(0, 1), real(0, 1), pick({1.0, real(0, 1)})};
+        output.background = project::Color{real(0, 1), real(0, 1), real(0, 1), pick({1.0, real(0, 1)})};
         break;
       case 2:
         output.background = std::filesystem::path("sky.png");
@@ -276,4 +278,4 @@ class RandomProject {
   std::mt19937 random_;
 };
 
-}  // namespace morphkit::project::testing
+}  // namespace morphkit::test

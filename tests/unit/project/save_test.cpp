@@ -20,10 +20,10 @@ namespace morphkit::project {
 namespace {
 
 using test::contains;
-using testing::RandomProject;
-using testing::with;
-using testing::with_output;
-using testing::with_shape;
+using test::RandomProject;
+using test::with;
+using test::with_output;
+using test::with_shape;
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -74,7 +74,7 @@ TEST(ToText, AnyProjectOverTheTextOfAnyOther) {
     const std::string text = to_text(project);
     ASSERT_TRUE(same_document(parse(text, "x.json"), project)) << *project.original << text;
   }
-  const auto documents = testing::good_documents();
+  const auto documents = test::good_documents();
   for (const std::string& original : documents) {
     for (const std::string& wanted : documents) {
       Project project = parse(wanted, "x.json");
@@ -86,7 +86,7 @@ TEST(ToText, AnyProjectOverTheTextOfAnyOther) {
 }
 
 TEST(ToText, AnUntouchedDocumentIsTheSameText) {
-  for (const std::string& text : testing::good_documents()) EXPECT_EQ(to_text(parse(text, "x.json")), text);
+  for (const std::string& text : test::good_documents()) EXPECT_EQ(to_text(parse(text, "x.json")), text);
   for (unsigned seed = 0; seed < 100; ++seed) {
     const std::string text = to_text(RandomProject(seed).make());
     EXPECT_EQ(to_text(parse(text, "x.json")), text) << seed;
@@ -104,31 +104,31 @@ TEST(ToText, SavingTwiceChangesNothing) {
 }
 
 TEST(ToText, OneMovedPointChangesOneLine) {
-  Project project = parse(testing::kFull, "x.json");
+  Project project = parse(test::kFull, "x.json");
   project.features[0].places[project::kDestination][1].y = 77.25;
   const std::string text = to_text(project);
-  EXPECT_EQ(changed_lines(testing::kFull, text), std::vector<std::size_t>{8});
+  EXPECT_EQ(changed_lines(test::kFull, text), std::vector<std::size_t>{8});
   EXPECT_TRUE(contains(text, R"("destination": [[402, 198.0], [470, 77.25]]}},)")) << text;
 }
 
 TEST(ToText, OrderSpellingAndExplicitDefaultsSurviveChangesElsewhere) {
-  Project project = parse(testing::kFull, "x.json");
+  Project project = parse(test::kFull, "x.json");
   project.output.frames = 96;
   project.features[2].pace.dissolve->delay = 0.5;
   const std::string text = to_text(project);
-  EXPECT_EQ(changed_lines(testing::kFull, text), (std::vector<std::size_t>{14, 20}));
+  EXPECT_EQ(changed_lines(test::kFull, text), (std::vector<std::size_t>{14, 20}));
   EXPECT_TRUE(contains(text, R"({"ease": "sine", "delay": 0.5, "duration": 0.5})")) << text;
   EXPECT_TRUE(contains(text, R"("output": {"fps": "24", "frames": 96, "size": [1280, 720], "background": "#FFffFF"})"));
 }
 
 TEST(ToText, ANewFeatureIsLaidOutLikeItsNeighbours) {
-  Project project = parse(testing::kFull, "x.json");
+  Project project = parse(test::kFull, "x.json");
   Feature ear;
   ear.id = "ear";
   ear.places[project::kSource] = {{1, 2}, {3, 4}};
   ear.places[project::kDestination] = {{5, 6}, {7, 8.5}};
   project.features.push_back(ear);
-  const auto before = lines_of(testing::kFull), after = lines_of(to_text(project));
+  const auto before = lines_of(test::kFull), after = lines_of(to_text(project));
   ASSERT_EQ(after.size(), before.size() + 1);
   EXPECT_EQ(after[15], R"(    {"id": "ear", "line": {"source": [[1, 2], [3, 4]], "destination": [[5, 6], [7, 8.5]]}})");
   EXPECT_EQ(after[14], before[14] + ",");
@@ -156,7 +156,7 @@ TEST(ToText, OtherLayoutsAreImitated) {
 }
 
 TEST(ToText, RemovedSettingsVanishAndNewOnesStandInTheirPlace) {
-  Project project = parse(testing::kFull, "x.json");
+  Project project = parse(test::kFull, "x.json");
   project.features[1].pull.a.reset();
   project.features[1].group = "face";
   project.pull.turns.reset();
@@ -167,9 +167,9 @@ TEST(ToText, RemovedSettingsVanishAndNewOnesStandInTheirPlace) {
 }
 
 TEST(ToText, ARenamedFeatureKeepsTheRest) {
-  Project project = parse(testing::kFull, "x.json");
+  Project project = parse(test::kFull, "x.json");
   project.features[0].id = "right eye";
-  EXPECT_EQ(changed_lines(testing::kFull, to_text(project)), std::vector<std::size_t>{8});
+  EXPECT_EQ(changed_lines(test::kFull, to_text(project)), std::vector<std::size_t>{8});
   EXPECT_TRUE(contains(to_text(project), "198.0"));
 }
 
@@ -231,15 +231,15 @@ TEST(ToText, ANewMeshHasOneOfItsRowsOnEachLine) {
 }
 
 TEST(ToText, AMovedVertexChangesOneLine) {
-  Project project = parse(testing::kMesh, "x.json");
+  Project project = parse(test::kMesh, "x.json");
   project.mesh->vertices[project::kSource][4].x = 310;
   const std::string text = to_text(project);
-  EXPECT_EQ(changed_lines(testing::kMesh, text), std::vector<std::size_t>{9});
+  EXPECT_EQ(changed_lines(test::kMesh, text), std::vector<std::size_t>{9});
   EXPECT_TRUE(contains(text, "      [0, 480], [310, 480], [640, 480]\n")) << text;
 }
 
 TEST(ToText, AMeshOfAnotherSizeIsLaidOutAnew) {
-  Project project = parse(testing::kMesh, "x.json");
+  Project project = parse(test::kMesh, "x.json");
   project.mesh->columns = 2;
   project.mesh->vertices[project::kSource] = {{0, 0}, {640, 0}, {0, 480}, {640, 480}};
   project.mesh->groups = {{"face", {{1, 0}}}};
@@ -290,7 +290,7 @@ class Save : public ::testing::Test {
   }
   static ErrorKind code_of(const std::filesystem::path& file) {
     try {
-      save(parse(testing::kFull, ""), file);
+      save(parse(test::kFull, ""), file);
     } catch (const Error& error) {
       EXPECT_EQ(error.place(), file.string());
       return error.kind();
@@ -302,8 +302,8 @@ class Save : public ::testing::Test {
 
 TEST_F(Save, WritesTheTextAndNothingElse) {
   const auto file = directory_.path() / "pair.json";
-  save(parse(testing::kFull, ""), file);
-  EXPECT_EQ(read(file), testing::kFull);
+  save(parse(test::kFull, ""), file);
+  EXPECT_EQ(read(file), test::kFull);
   Project changed = load(file);
   changed.output.frames = 5;
   save(changed, file);
@@ -314,7 +314,7 @@ TEST_F(Save, WritesTheTextAndNothingElse) {
 TEST_F(Save, KeepsPermissionsAndLinks) {
   namespace fs = std::filesystem;
   const fs::path file = directory_.path() / "pair.json", link = directory_.path() / "link.json";
-  save(parse(testing::kFull, ""), file);
+  save(parse(test::kFull, ""), file);
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("pair.json", link);
   Project changed = load(link);
@@ -327,9 +327,9 @@ TEST_F(Save, KeepsPermissionsAndLinks) {
 
 TEST_F(Save, ReplacesOnlyWhatItMay) {
   const auto file = directory_.path() / "pair.json";
-  save(parse(testing::kFull, ""), file, false);
+  save(parse(test::kFull, ""), file, false);
   EXPECT_THROW(save(parse(with(""), ""), file, false), Error);
-  EXPECT_EQ(read(file), testing::kFull);
+  EXPECT_EQ(read(file), test::kFull);
   save(parse(with(""), ""), file);
   EXPECT_EQ(read(file), with(""));
 }

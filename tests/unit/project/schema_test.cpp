@@ -17,7 +17,7 @@ namespace morphkit::project {
 namespace {
 
 using nlohmann::json;
-using testing::SchemaValidator;
+using test::SchemaValidator;
 
 bool loads(const std::string& text) {
   try {
@@ -30,20 +30,20 @@ bool loads(const std::string& text) {
 
 TEST(Schema, AcceptsWhatTheLoaderAccepts) {
   const SchemaValidator schema(schema_text());
-  for (const std::string& text : testing::good_documents()) EXPECT_TRUE(schema.accepts(json::parse(text))) << text;
+  for (const std::string& text : test::good_documents()) EXPECT_TRUE(schema.accepts(json::parse(text))) << text;
 }
 
 TEST(Schema, AcceptsWhatIsSaved) {
   const SchemaValidator schema(schema_text());
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const std::string text = to_text(testing::RandomProject(seed).make());
+    const std::string text = to_text(test::RandomProject(seed).make());
     EXPECT_TRUE(schema.accepts(json::parse(text))) << seed << text;
   }
 }
 
 TEST(Schema, RefusesWrongStructure) {
   const SchemaValidator schema(schema_text());
-  for (const testing::Bad& bad : testing::structurally_bad_documents()) {
+  for (const test::Bad& bad : test::structurally_bad_documents()) {
     EXPECT_FALSE(schema.accepts(json::parse(bad.text))) << bad.text;
   }
 }
@@ -75,7 +75,7 @@ TEST(Schema, AgreesWithTheLoaderOnMutatedDocuments) {
                                json{{"image", "i"}},
                                json{{"x", 1}}};
   int refused = 0;
-  for (const std::string& text : testing::good_documents()) {
+  for (const std::string& text : test::good_documents()) {
     json document = json::parse(text);
     for_each(document, [&](json& place) {
       const json before = place;
@@ -95,7 +95,7 @@ TEST(Schema, AcceptsEveryMutationThatLoads) {
   const SchemaValidator schema(schema_text());
   const json replacements[] = {0, 1, 3, 0.25, "sine", "mirror", "black", "none", json::array({1, 2}), json::object()};
   int loaded = 0;
-  for (const std::string& text : testing::good_documents()) {
+  for (const std::string& text : test::good_documents()) {
     json document = json::parse(text);
     for_each(document, [&](json& place) {
       const json before = place;

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace morphkit::project::testing {
+namespace morphkit::test {
 
 class SchemaValidator {
  public:
@@ -121,4 +121,4 @@ class SchemaValidator {
   Json root_;
 };
 
-}  // namespace morphkit::project::testing
+}  // namespace morphkit::test

@@ -11,7 +11,7 @@ namespace morphkit::project {
 namespace {
 
 std::string refusal(const std::string& path, const std::string& value) {
-  Project project = parse(testing::kFull, "pair.json");
+  Project project = parse(test::kFull, "pair.json");
   const Project before = project;
   try {
     set_value(project, path, value);
@@ -24,7 +24,7 @@ std::string refusal(const std::string& path, const std::string& value) {
 }
 
 TEST(SetValue, SetsNumbersWordsAndPlaces) {
-  Project project = parse(testing::kFull, "pair.json");
+  Project project = parse(test::kFull, "pair.json");
   set_value(project, "warp.filter", "lanczos");
   set_value(project, "warp.b", "1.25");
   set_value(project, "output.size", "[640, 480]");
@@ -44,11 +44,11 @@ TEST(SetValue, SetsNumbersWordsAndPlaces) {
   EXPECT_TRUE(test::contains(to_text(project), R"("source": [1, 2.5])"));
   EXPECT_TRUE(test::contains(to_text(project), R"({"ease": "sine", "delay": 0.5})"));
   EXPECT_EQ(project.file, "pair.json");
-  EXPECT_EQ(*project.original, testing::kFull);
+  EXPECT_EQ(*project.original, test::kFull);
 }
 
 TEST(SetValue, ReachesWhatTheDocumentDoesNotSay) {
-  Project project = parse(testing::with(""), "pair.json");
+  Project project = parse(test::with(""), "pair.json");
   set_value(project, "warp.between", "centre");
   set_value(project, "output.frames", "96");
   EXPECT_EQ(project.output.frames, 96);
@@ -56,7 +56,7 @@ TEST(SetValue, ReachesWhatTheDocumentDoesNotSay) {
 }
 
 TEST(SetValue, SeveralNeedToFitTogetherInTheEndOnly) {
-  Project project = parse(testing::with_feature(R"({"id": "x", "curve": {"source": [[0, 0], [9, 0], [9, 9]],
+  Project project = parse(test::with_feature(R"({"id": "x", "curve": {"source": [[0, 0], [9, 0], [9, 9]],
     "destination": [[0, 0], [9, 0], [9, 9]], "spline": "polyline"}})"),
                           "pair.json");
   const Setting open_ended[] = {{"features/x.curve.spline", "bezier"},
@@ -68,14 +68,14 @@ TEST(SetValue, SeveralNeedToFitTogetherInTheEndOnly) {
 }
 
 TEST(SetValue, OneMayContinueAnother) {
-  Project project = parse(testing::with(""), "pair.json");
+  Project project = parse(test::with(""), "pair.json");
   const Setting easing[] = {{"transition.shape", "sine"}, {"transition.shape.delay", "0.5"}};
   set_values(project, easing);
   EXPECT_TRUE(test::contains(to_text(project), R"({"ease": "sine", "delay": 0.5})"));
 }
 
 TEST(SetValue, OfSeveralTheLastWinsAndTheWrongOneIsNamed) {
-  Project project = parse(testing::with(""), "pair.json");
+  Project project = parse(test::with(""), "pair.json");
   const Setting twice[] = {{"output.frames", "5"}, {"output.frames", "7"}};
   set_values(project, twice);
   EXPECT_EQ(project.output.frames, 7);
