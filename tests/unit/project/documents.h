@@ -4,6 +4,11 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "morph/project/project.h"
+
 namespace morphkit::test {
 
 inline constexpr const char* kSides = R"("source": {"image": "a.png"}, "destination": {"image": "b.png"})";
@@ -128,6 +133,19 @@ struct Bad {
   std::string pointer;
   std::string says;
 };
+
+/// Expects that the loader refuses the document with a message that points there and says that.
+inline void expect_bad(const Bad& bad) {
+  SCOPED_TRACE(bad.text.substr(0, 300));
+  try {
+    project::parse(bad.text, "dir/pair.json");
+    FAIL() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
+    EXPECT_EQ(error.place(), bad.pointer.empty() ? "dir/pair.json" : "dir/pair.json: " + bad.pointer);
+    EXPECT_NE(error.message().find(bad.says), std::string::npos) << error.message();
+  }
+}
 
 /// Both the loader and the schema refuse these.
 inline std::vector<Bad> structurally_bad_documents() {
