@@ -1,3 +1,5 @@
+// Tests morph/media/guard/png_check.cpp, morph/media/guard/promise_check.cpp and
+// morph/media/image_format.cpp.
 // Failures when people read and write images: missing files, other files, truncated and hostile ones, read-only
 // folders, full disks.
 

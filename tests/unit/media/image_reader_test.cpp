@@ -1,3 +1,4 @@
+// Tests morph/media/metadata.cpp.
 // Headers of files: orientation, channels, windows, colour tags, metadata. The files are made with OpenImageIO, as
 // other programs make them.
 

@@ -1,3 +1,4 @@
+// Tests morph/media/image_file.cpp and morph/media/webp_codec.cpp.
 // Files written and read again: formats, depths, alpha, sizes, colour spaces, orientation, metadata.
 
 #include <OpenImageIO/imageio.h>
