@@ -1,7 +1,5 @@
 // Other tools' files, in and out.
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -11,213 +9,22 @@
 
 #include "base/error.h"
 #include "morph/exchange/import.h"
-#include "morph/exchange/import_xmorph.h"
-#include "morph/project/limits.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/exchange/xmorph_meshes.h"
 
 namespace morphkit::exchange {
 namespace {
 
 using test::contains;
 using test::error_of;
+using test::kXmorphMesh;
+using test::largest_distance;
+using test::parsed;
+using test::random_mesh;
 using test::read_text;
 using test::TemporaryFolder;
 using test::write_text;
-using Points = std::vector<cv::Point2d>;
-
-/// 3 x 3 vertices on a picture of 101 x 51 pixels.
-constexpr const char* kMesh =
-    "M2\n3 3\n"
-    "0 0 0\n480 0 0\n1000 0 0\n"
-    "0 240 0\n515 263 -1\n1000 260 0\n"
-    "0 500 0\n500 500 0\n1000 500 0\n";
-
-warp::Mesh parsed(const std::string& text, cv::Size size, std::vector<std::string>* remarks = nullptr) {
-  std::vector<std::string> ignored;
-  return parse_xmorph_mesh(text, "a.mesh", size, remarks ? *remarks : ignored);
-}
-
-double largest_distance(const Points& a, const Points& b) {
-  double distance = a.size() == b.size() ? 0 : INFINITY;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    distance = std::max({distance, std::abs(a[i].x - b[i].x), std::abs(a[i].y - b[i].y)});
-  }
-  return distance;
-}
-
-/// Any mesh whose border lies on that of the picture.
-warp::Mesh random_mesh(std::mt19937& random, cv::Size size) {
-  std::uniform_int_distribution<int> count(2, 12);
-  std::uniform_real_distribution<double> x(0, size.width), y(0, size.height);
-  warp::Mesh mesh{count(random), count(random), {}};
-  for (int i = 0; i < mesh.columns * mesh.rows; ++i) mesh.vertices.emplace_back(x(random), y(random));
-  for (int row = 0; row < mesh.rows; ++row) mesh.at(0, row).x = 0, mesh.at(mesh.columns - 1, row).x = size.width;
-  for (int column = 0; column < mesh.columns; ++column)
-    mesh.at(column, 0).y = 0, mesh.at(column, mesh.rows - 1).y = size.height;
-  return mesh;
-}
-
-TEST(XmorphMesh, TenthsOfPixelsFromTheCentreOfTheFirst) {
-  std::vector<std::string> remarks;
-  const warp::Mesh mesh = parsed(kMesh, {101, 51}, &remarks);
-  EXPECT_EQ(mesh.columns, 3);
-  EXPECT_EQ(mesh.rows, 3);
-  const Points expected = {{0, 0},      {48.5, 0}, {101, 0},   {0, 24.5}, {52, 26.8},
-                           {101, 26.5}, {0, 51},   {50.5, 51}, {101, 51}};
-  EXPECT_LT(largest_distance(mesh.vertices, expected), 1e-12);
-  for (const std::size_t corner : {0, 2, 6, 8}) EXPECT_EQ(mesh.vertices[corner], expected[corner]);
-  EXPECT_EQ(remarks, std::vector<std::string>{});
-}
-
-TEST(XmorphMesh, SpellingsOfTheSame) {
-  const warp::Mesh mesh = parsed(kMesh, {101, 51});
-  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
-    return text;
-  };
-  const std::string spellings[] = {replaced(kMesh, "\n", "\r\n"),
-                                   replaced(kMesh, " 0\n", "\n"),
-                                   replaced(kMesh, " ", " \t"),
-                                   replaced(kMesh, "\n", "\n\n") + "  \n",
-                                   replaced(kMesh, "515 263", "5.15e2 263.0"),
-                                   std::string(kMesh).substr(0, std::string(kMesh).size() - 1)};
-  // "0 0 0" without its label is "0 0", "480 0 0" is "480 0": all but the label stays.
-  for (const std::string& text : spellings) EXPECT_EQ(parsed(text, {101, 51}), mesh) << text;
-  EXPECT_NEAR(parsed(replaced(kMesh, "515 263", "515.25 263"), {101, 51}).at(1, 1).x, 52.025, 1e-12);
-}
-
-TEST(XmorphMesh, TagsOfGtkmorphAreLeftOut) {
-  std::vector<std::string> remarks;
-  const std::string tags = "<resulting image size>\n101 51\n<features>\n7 nonsense \xFF\n";
-  EXPECT_EQ(parsed(kMesh + tags, {101, 51}, &remarks), parsed(kMesh, {101, 51}));
-  EXPECT_EQ(remarks, std::vector<std::string>{"a.mesh: the tags from line 12 on are left out"});
-}
-
-TEST(XmorphMesh, IsStretchedToThePicture) {
-  std::vector<std::string> remarks;
-  const warp::Mesh mesh = parsed(kMesh, {201, 26}, &remarks);
-  EXPECT_NEAR(mesh.at(1, 1).x, 51.5 * 2 + 0.5, 1e-12);
-  EXPECT_NEAR(mesh.at(1, 1).y, 26.3 / 2 + 0.5, 1e-12);
-  EXPECT_EQ(mesh.at(2, 2), cv::Point2d(201, 26));
-  EXPECT_EQ(remarks, std::vector<std::string>{"a.mesh: drawn on 101 x 51 pixels, stretched to 201 x 26"});
-}
-
-TEST(XmorphMesh, ABorderThatIsOffIsMovedAndToldOf) {
-  std::vector<std::string> remarks;
-  std::string text = kMesh;
-  text.replace(text.find("0 240 0"), 7, "23 240 ");
-  EXPECT_EQ(parsed(text, {101, 51}, &remarks), parsed(kMesh, {101, 51}));
-  EXPECT_EQ(remarks,
-            std::vector<std::string>{"a.mesh: vertices of the border were up to 2.3 pixels off and moved onto it"});
-}
-
-TEST(XmorphMesh, OnTheSmallestPicture) {
-  const warp::Mesh mesh = parsed(kMesh, {1, 1});
-  EXPECT_EQ(mesh.at(0, 0), cv::Point2d(0, 0));
-  EXPECT_EQ(mesh.at(1, 1), cv::Point2d(0.5, 0.5));
-  EXPECT_EQ(mesh.at(2, 2), cv::Point2d(1, 1));
-}
-
-TEST(XmorphMesh, BadFilesNameTheLine) {
-  const struct {
-    std::string text;
-    std::string place;
-    std::string says;
-  } table[] = {
-      {"", "a.mesh:1", "the file is empty"},
-      {"\n \r\n", "a.mesh:2", "the file is empty"},
-      {"hello\n", "a.mesh:1", "expected \"M2\", the first line of a mesh of xmorph, found \"hello\""},
-      {std::string("\x89PNG\r\n\0\xFF\xFE", 9), "a.mesh:1", "expected \"M2\""},
-      {"M2", "a.mesh:1", "the file ends here; expected the numbers of columns and rows"},
-      {"M2\n3\n", "a.mesh:2", "two whole numbers"},
-      {"M2\n3 3 3\n", "a.mesh:2", "two whole numbers"},
-      {"M2\n3 x\n", "a.mesh:2", "found \"3 x\""},
-      {"M2\n3.5 3\n", "a.mesh:2", "two whole numbers"},
-      {"M2\n-3 3\n", "a.mesh:2", "a mesh of -3 x 3 vertices; expected 2 to 1000 each way"},
-      {"M2\n1 3\n", "a.mesh:2", "a mesh of 1 x 3 vertices"},
-      {"M2\n1000000000 1000000000\n0 0\n", "a.mesh:2", "together at most 500000"},
-      {"M2\n1000 501\n0 0\n", "a.mesh:2", "together at most 500000"},
-      {"M2\n99999999999999999999999 3\n", "a.mesh:2", "two whole numbers"},
-      {"M2\n1000 500\n0 0 0\n", "a.mesh:3", "the file ends after 1 of 500000 vertices (1000 x 500)"},
-      {"M2\n2 2\n0 0\n9 0\n\n0 9\n", "a.mesh:6", "the file ends after 3 of 4 vertices (2 x 2)"},
-      {"M2\n2 2\n0 0\n9 0\n<SIS>\n0 9\n9 9\n", "a.mesh:5", "a tag after 2 of 4 vertices"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n9 9\n5 5\n", "a.mesh:7", "expected the end of the file after 4 vertices (2 x 2)"},
-      {"M2\n2 2\n0 0\n9\n0 9\n9 9\n", "a.mesh:4", "expected a vertex, \"x y\" or \"x y label\""},
-      {"M2\n2 2\n0 0\n9 0 0 0\n0 9\n9 9\n", "a.mesh:4", "expected a vertex"},
-      {"M2\n2 2\n0 0\n9 0 label\n0 9\n9 9\n", "a.mesh:4", "expected a vertex"},
-      {"M2\n2 2\n0 0\n9,5 0\n0 9\n9 9\n", "a.mesh:4", "found \"9,5 0\""},
-      {"M2\n2 2\n0 0\nnan 0\n0 9\n9 9\n", "a.mesh:4", "\"nan 0\" is out of range"},
-      {"M2\n2 2\n0 0\n9 -inf\n0 9\n9 9\n", "a.mesh:4", "out of range"},
-      {"M2\n2 2\n0 0\n9 1e300\n0 9\n9 9\n", "a.mesh:4", "out of range"},
-      {"M2\n2 2\n0 0\n9 1e999\n0 9\n9 9\n", "a.mesh:4", "expected a vertex"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n0 9\n", "a.mesh:6", "the last vertex, the lower right corner, is at (0, 9)"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n9 -9\n", "a.mesh:6", "is at (9, -9); expected the size of a picture"},
-      {"M2\n2 2\n0 0\n9 0\n0 9\n1e-300 9\n\n<t>\n", "a.mesh:6", "the last vertex"},
-      {"M2\n2 2\n0 0\n1e7 0\n0 9\n1 9\n", "a.mesh:6", "far outside the picture"},
-  };
-  for (const auto& [text, place, says] : table) {
-    SCOPED_TRACE(text);
-    const Error error = error_of([&, &bad = text] { parsed(bad, {640, 480}); });
-    EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-    EXPECT_EQ(error.place(), place);
-    EXPECT_TRUE(contains(error.message(), says)) << error.what();
-    EXPECT_LT(error.message().size(), 300U);
-  }
-}
-
-TEST(XmorphMesh, EveryCutIsRefusedOrTheSame) {
-  const std::string text = kMesh;
-  const warp::Mesh mesh = parsed(text, {101, 51});
-  int whole = 0;
-  for (std::size_t length = 0; length < text.size(); ++length) {
-    try {
-      // The last line without its label, or a part of its last number, is a vertex all the same.
-      const warp::Mesh cut = parsed(text.substr(0, length), {101, 51});
-      EXPECT_EQ(cut.columns, mesh.columns);
-      EXPECT_GE(length, text.size() - std::string(" 500 0\n").size());
-      ++whole;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
-    }
-  }
-  EXPECT_GE(whole, 3);
-}
-
-TEST(XmorphMesh, WhatIsWrittenReadsBackWithinATenthOfAPixel) {
-  for (unsigned seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    std::uniform_int_distribution<int> extent(2, 5000);
-    const cv::Size size(extent(random), extent(random));
-    const warp::Mesh mesh = random_mesh(random, size);
-    std::vector<std::string> remarks;
-    const warp::Mesh once = parsed(xmorph_mesh_text(mesh, size), size, &remarks);
-    ASSERT_EQ(once.columns, mesh.columns);
-    EXPECT_LE(largest_distance(once.vertices, mesh.vertices), 0.05 + 1e-9);
-    EXPECT_EQ(remarks, std::vector<std::string>{});
-    // What is on tenths stays there.
-    EXPECT_EQ(xmorph_mesh_text(once, size), xmorph_mesh_text(mesh, size));
-  }
-}
-
-TEST(XmorphMesh, AMeshThatWasStretchedSurvivesExport) {
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    std::uniform_int_distribution<int> extent(2, 5000);
-    const cv::Size drawn(extent(random), extent(random)), size(extent(random), extent(random));
-    const warp::Mesh first = parsed(xmorph_mesh_text(random_mesh(random, drawn), drawn), size);
-    const warp::Mesh second = parsed(xmorph_mesh_text(first, size), size);
-    EXPECT_LE(largest_distance(first.vertices, second.vertices), 0.05 + 1e-9);
-  }
-}
-
-TEST(XmorphMesh, WritesWholeTenthsWithTheBorderOnTheOutermostPixels) {
-  EXPECT_EQ(xmorph_mesh_text({2, 3, {{0, 0}, {640, 0}, {0, 240.26}, {640, 250}, {0, 480}, {640, 480}}}, {640, 480}),
-            "M2\n2 3\n0 0 0\n6390 0 0\n0 2398 0\n6390 2495 0\n0 4790 0\n6390 4790 0\n");
-}
 
 class Import : public ::testing::Test {
  protected:
@@ -243,8 +50,8 @@ class Import : public ::testing::Test {
 };
 
 TEST_F(Import, BothSidesBecomeTheMeshOfTheProject) {
-  write_text(folder_ / "a.mesh", kMesh);
-  write_text(folder_ / "B.MESH", kMesh);
+  write_text(folder_ / "a.mesh", kXmorphMesh);
+  write_text(folder_ / "B.MESH", kXmorphMesh);
   project_.warp.border = warp::Border::kMirror;
   const ImportReport report = import_into(project_, input("a.mesh", "B.MESH"));
   EXPECT_EQ(report.format, "xmorph");
@@ -253,21 +60,21 @@ TEST_F(Import, BothSidesBecomeTheMeshOfTheProject) {
   EXPECT_TRUE(contains(report.remarks[1], "mirror"));
   EXPECT_EQ(method_name_of(project_), project::MethodName::kMesh);
   ASSERT_TRUE(project_.mesh);
-  EXPECT_EQ(project_.mesh->vertices[project::kSource], parsed(kMesh, {101, 51}).vertices);
-  EXPECT_EQ(project_.mesh->vertices[project::kDestination], parsed(kMesh, {201, 101}).vertices);
+  EXPECT_EQ(project_.mesh->vertices[project::kSource], parsed(kXmorphMesh, {101, 51}).vertices);
+  EXPECT_EQ(project_.mesh->vertices[project::kDestination], parsed(kXmorphMesh, {201, 101}).vertices);
   EXPECT_TRUE(same_document(project::parse(project::to_text(project_), ""), project_));
 }
 
 TEST_F(Import, ReadsOneSideAlone) {
-  write_text(folder_ / "a.mesh", kMesh);
+  write_text(folder_ / "a.mesh", kXmorphMesh);
   std::vector<std::string> remarks;
-  EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}, remarks), parsed(kMesh, {101, 51}));
+  EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}, remarks), parsed(kXmorphMesh, {101, 51}));
   EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}, remarks); }).kind(), ErrorKind::kIo);
   EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}, remarks); }).kind(), ErrorKind::kIo);
 }
 
 TEST_F(Import, SidesMustBeAlike) {
-  write_text(folder_ / "a.mesh", kMesh);
+  write_text(folder_ / "a.mesh", kXmorphMesh);
   write_text(folder_ / "b.mesh", "M2\n2 2\n0 0\n9 0\n0 9\n9 9\n");
   const Error error = import_error(input("a.mesh", "b.mesh"));
   EXPECT_EQ(error.kind(), ErrorKind::kBadInput);
@@ -277,7 +84,7 @@ TEST_F(Import, SidesMustBeAlike) {
 }
 
 TEST_F(Import, WrongFilesAreRefused) {
-  write_text(folder_ / "a.mesh", kMesh);
+  write_text(folder_ / "a.mesh", kXmorphMesh);
   write_text(folder_ / "bad.mesh", "M2\n3 3\n0 0\n");
   EXPECT_EQ(import_error(input("a.mesh", "bad.mesh")).place(), (folder_ / "bad.mesh").string() + ":3");
   EXPECT_EQ(import_error(input("a.mesh", "missing.mesh")).kind(), ErrorKind::kIo);
