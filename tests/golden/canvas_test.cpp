@@ -1,3 +1,5 @@
+// Tests cli/edit/view/canvas.cpp, cli/edit/view/draw_chrome.cpp, cli/edit/view/draw_marks.cpp,
+// cli/edit/view/draw_overlays.cpp and cli/edit/view/model.cpp.
 // The window of the preview tool in its main states, against golden pictures that people have approved.
 
 #include <map>

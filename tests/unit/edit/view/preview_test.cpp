@@ -1,3 +1,5 @@
+// Tests cli/edit/view/preview_thread.cpp.
+
 #include "cli/edit/view/preview.h"
 
 #include <algorithm>
