@@ -1,3 +1,4 @@
+// Tests cli/cmd_bench.cpp and cli/run_bench.cpp.
 // morphkit bench: what it tells, and what it refuses. How fast it is, is nobody's business here.
 
 #include <string>

@@ -1,3 +1,4 @@
+// Tests cli/cmd_edit.cpp and cli/run_edit.cpp.
 // What can be said of `morphkit edit` without a display; tests/gui has one.
 
 #include <filesystem>

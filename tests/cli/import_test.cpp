@@ -1,3 +1,4 @@
+// Tests cli/cmd_import.cpp, cli/run_import.cpp, cli/cmd_export.cpp and cli/run_export.cpp.
 // import and export as a person or a script meets them, wrong use included.
 
 #include <filesystem>

@@ -1,4 +1,6 @@
-// morph, check and map as a person, a script or a render farm meets them, wrong use and disasters included.
+// Tests cli/cmd_morph.cpp, cli/run_morph.cpp, cli/cmd_check.cpp, cli/run_check.cpp, cli/cmd_map.cpp and
+// cli/run_map.cpp. morph, check and map as a person, a script or a render farm meets them, wrong use and disasters
+// included.
 
 #include <algorithm>
 #include <csignal>

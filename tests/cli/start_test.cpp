@@ -1,3 +1,4 @@
+// Tests cli/become_renderer.cpp.
 // The program that is started first is small: it loads no picture library and no window toolkit.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tests cli/cmd_warp.cpp and cli/run_warp.cpp.
 // warp as a person or a script meets it, wrong use included; and what a mesh does to morph, map and check.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests cli/edit/window.cpp.
 // The preview tool in a real window: what a hand marks is in the file, and can be rendered.
 
 #include <algorithm>

@@ -29,5 +29,16 @@ TEST(Words, TheFirstOfEqualsWins) {
   EXPECT_EQ(meant("an"), "in");
 }
 
+TEST(Words, NearestFindsCommandsAndOptionsAndNothingFar) {
+  const std::vector<std::string> names = {"morph", "map", "compare", "--overwrite"};
+  EXPECT_EQ(nearest("morhp", names), "morph");
+  EXPECT_EQ(nearest("mrph", names), "morph");
+  EXPECT_EQ(nearest("comparee", names), "compare");
+  EXPECT_EQ(nearest("--overwritte", names), "--overwrite");
+  EXPECT_EQ(nearest("render", names), std::nullopt);
+  EXPECT_EQ(nearest("", names), std::nullopt);
+  EXPECT_EQ(nearest("morph", std::vector<std::string>()), std::nullopt);
+}
+
 }  // namespace
 }  // namespace morphkit::test
