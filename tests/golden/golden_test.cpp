@@ -1,3 +1,5 @@
+// Tests samples/bulb.cpp, samples/desert.cpp, samples/lake.cpp, samples/man.cpp, samples/pear.cpp, samples/portrait.cpp
+// and samples/woman.cpp.
 // Every sample, rendered from its files to 8-bit pictures, against golden pictures that people have approved. Renew
 // with scripts/renew-goldens.sh.
 
