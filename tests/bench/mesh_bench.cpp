@@ -33,6 +33,15 @@ void mesh_resample_choose_aa_by_name(char* name);
 namespace morphkit::warp {
 namespace {
 
+using test::bent_mesh;
+using test::Photograph;
+using test::plate_quality;
+using test::PlateQuality;
+using test::psnr;
+using test::reference_pixels;
+using test::ReferencePixel;
+using test::ZonePlate;
+
 const cv::Size kFrame(1920, 1080);
 const cv::Size kPhotographSize(600, 400);
 constexpr int kStride = 11;  // between pixels that are compared

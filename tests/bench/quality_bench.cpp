@@ -14,6 +14,12 @@
 namespace morphkit::warp {
 namespace {
 
+using test::grey_image;
+using test::plate_quality;
+using test::PlateQuality;
+using test::PlateReduction;
+using test::ReferencePixel;
+
 constexpr int kStride = 7;  // between pixels that are compared
 
 struct Material {

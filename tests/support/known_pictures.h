@@ -11,12 +11,12 @@
 #include "base/parallel.h"
 #include "warp/image/image.h"
 
-namespace morphkit::warp {
+namespace morphkit::test {
 
 /// The image of a picture, opaque grey; value(x, y) gives the grey of the pixel with its centre at (x, y).
 template <typename Value>
-Image grey_image(cv::Size size, const Value& value) {
-  Image image(size);
+warp::Image grey_image(cv::Size size, const Value& value) {
+  warp::Image image(size);
   for_rows(size.height, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < size.width; ++x) {
@@ -89,7 +89,7 @@ class Photograph {
     return std::lerp(grey, 0.85, board);
   }
 
-  Image image() const {
+  warp::Image image() const {
     // Gauss-Legendre: exact up to the fifth power in either direction.
     static constexpr std::array<double, 3> kAt{-0.3872983346207417, 0, 0.3872983346207417};
     static constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
@@ -152,4 +152,4 @@ PlateQuality plate_quality(const RadialPlate& plate, const std::vector<Reference
           psnr(references, grey, [&](cv::Point at) { return frequency(at) > 0.7; })};
 }
 
-}  // namespace morphkit::warp
+}  // namespace morphkit::test

@@ -21,6 +21,7 @@ namespace {
 using test::contains;
 using test::dissolved;
 using test::error_of;
+using test::expect_shows_what_counts;
 using test::frame_at;
 using test::pictures;
 using test::random_image;

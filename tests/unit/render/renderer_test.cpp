@@ -12,6 +12,7 @@ namespace morphkit::render {
 namespace {
 
 using test::dissolved;
+using test::expect_shows_what_counts;
 using test::frame_at;
 using test::line;
 using test::pictures;

@@ -10,6 +10,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, CurvesEndOpenOrClosed) {
   const std::vector<cv::Point2d> places = {{100, 100}, {200, 60}, {300, 100}};
   const auto click_all = [&] {

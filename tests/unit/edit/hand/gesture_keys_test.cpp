@@ -13,6 +13,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, ATuningSliderIsOneStepAndTheTimeSliderNone) {
   model.playing = true;
   drag(on_slider(TimeSlider{}, 0), on_slider(TimeSlider{}, 1) + cv::Point(400, 200));

@@ -11,6 +11,10 @@
 namespace morphkit::edit {
 namespace {
 
+using test::empty_project;
+using test::Hand;
+using test::kWindow;
+
 /// A hand that does anything, anywhere.
 class Storm : public Hand {
  public:

@@ -15,6 +15,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, MarksDragsUndoesSwapsAndGroups) {
   mark_three_lines();
   ASSERT_EQ(features().size(), 3U);

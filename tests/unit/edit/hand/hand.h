@@ -13,28 +13,22 @@
 #include "cli/edit/view/keys.h"
 #include "cli/edit/view/picking.h"
 #include "morph/project/project.h"
+#include "tests/unit/edit/document/make_document.h"
 
-namespace morphkit::edit {
-
-using What = Mouse::What;
-using Button = Mouse::Button;
-using Indices = std::vector<int>;
+namespace morphkit::test {
 
 inline const cv::Size kPicture(400, 300);
 inline const cv::Size kWindow(1600, 900);  ///< where the layout's scale is 1
 
-inline project::Project empty_project() {
-  project::Project project;
-  project.pictures[project::kSource].image = "a.png";
-  project.pictures[project::kDestination].image = "b.png";
-  return project;
-}
-
 /// A hand at the tool. Pictures are shown one to one, so that whole positions of a picture can be pointed at exactly.
 struct Hand {
+  using What = edit::Mouse::What;
+  using Button = edit::Mouse::Button;
+  using Indices = std::vector<int>;
+
   explicit Hand(cv::Size destination = kPicture)
       : model(empty_project(), kPicture, destination, kWindow),
-        gestures(model, [this](SideIndex side, cv::Point2d position, double radius, double zoom) {
+        gestures(model, [this](edit::SideIndex side, cv::Point2d position, double radius, double zoom) {
           asked = {radius, zoom};
           return edges ? edges(side, position) : std::nullopt;
         }) {
@@ -42,25 +36,27 @@ struct Hand {
     model.source_view = model.destination_view = {1, {200, 150}};
   }
 
-  const Document& document() const { return model.document; }
+  const edit::Document& document() const { return model.document; }
   const std::vector<project::Feature>& features() const { return document().project().features; }
   const Indices& selected() const { return document().selection().features; }
-  Layout layout() const { return layout_of(model); }
+  edit::Layout layout() const { return edit::layout_of(model); }
 
-  cv::Point at(SideIndex side, cv::Point2d position) const {
-    return to_canvas(model, layout(), pane_of(side), position);
+  cv::Point at(edit::SideIndex side, cv::Point2d position) const {
+    return edit::to_canvas(model, layout(), edit::pane_of(side), position);
   }
-  cv::Point2d under(Pane pane, cv::Point canvas) const { return to_content(model, layout(), pane, canvas); }
+  cv::Point2d under(edit::Pane pane, cv::Point canvas) const { return edit::to_content(model, layout(), pane, canvas); }
 
-  std::optional<Wish> mouse(What what, cv::Point position, Button button = Button::kLeft) {
-    Mouse event = keys;
+  std::optional<edit::Wish> mouse(What what, cv::Point position, Button button = Button::kLeft) {
+    edit::Mouse event = keys;
     event.what = what;
     event.button = what == What::kMove ? Button::kNone : button;
     event.position = position;
     return gestures.mouse(event);
   }
-  std::optional<Wish> press(SideIndex side, cv::Point2d position) { return mouse(What::kPress, at(side, position)); }
-  void move(SideIndex side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
+  std::optional<edit::Wish> press(edit::SideIndex side, cv::Point2d position) {
+    return mouse(What::kPress, at(side, position));
+  }
+  void move(edit::SideIndex side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
   void release() { mouse(What::kRelease, model.mouse); }
   void drag(cv::Point from, cv::Point to, Button button = Button::kLeft) {
     mouse(What::kPress, from, button);
@@ -68,34 +64,34 @@ struct Hand {
     mouse(What::kMove, to);
     mouse(What::kRelease, to, button);
   }
-  void drag(SideIndex side, cv::Point2d from, cv::Point2d to) { drag(at(side, from), at(side, to)); }
-  void click(SideIndex side, cv::Point2d position) { drag(side, position, position); }
+  void drag(edit::SideIndex side, cv::Point2d from, cv::Point2d to) { drag(at(side, from), at(side, to)); }
+  void click(edit::SideIndex side, cv::Point2d position) { drag(side, position, position); }
   void wheel(cv::Point position, double notches) {
-    Mouse event;
+    edit::Mouse event;
     event.what = What::kWheel;
     event.position = position;
     event.notches = notches;
     gestures.mouse(event);
   }
-  std::optional<Wish> key(int code) { return gestures.key(code); }
+  std::optional<edit::Wish> key(int code) { return gestures.key(code); }
   void type(const std::string& text) {
     for (const char c : text) key(c);
   }
 
-  Widget widget(const Action& action) const {
-    const std::vector<Widget> all = layout().widgets;
-    const auto found = std::ranges::find(all, action, &Widget::action);
-    return found == all.end() ? Widget{} : *found;
+  edit::Widget widget(const edit::Action& action) const {
+    const std::vector<edit::Widget> all = layout().widgets;
+    const auto found = std::ranges::find(all, action, &edit::Widget::action);
+    return found == all.end() ? edit::Widget{} : *found;
   }
-  std::optional<Wish> click(const Action& action) {
+  std::optional<edit::Wish> click(const edit::Action& action) {
     const cv::Rect rect = widget(action).rect;
     const cv::Point middle = (rect.tl() + rect.br()) / 2;
     const auto wish = mouse(What::kPress, middle);
     mouse(What::kRelease, middle);
     return wish;
   }
-  cv::Point on_slider(const Action& slider, double share) const {
-    const cv::Rect track = slider_track(widget(slider), layout().scale);
+  cv::Point on_slider(const edit::Action& slider, double share) const {
+    const cv::Rect track = edit::slider_track(widget(slider), layout().scale);
     return {track.x + static_cast<int>(share * track.width), track.y};
   }
 
@@ -105,13 +101,13 @@ struct Hand {
     return steps;
   }
 
-  Model model;
-  std::function<std::optional<cv::Point2d>(SideIndex, cv::Point2d)> edges;
+  edit::Model model;
+  std::function<std::optional<cv::Point2d>(edit::SideIndex, cv::Point2d)> edges;
   struct {
     double radius = 0, zoom = 0;
   } asked;
-  Mouse keys;  ///< Shift, Ctrl and Alt that are held
-  Gestures gestures;
+  edit::Mouse keys;  ///< Shift, Ctrl and Alt that are held
+  edit::Gestures gestures;
 };
 
 class GestureSession : public testing::Test, public Hand {
@@ -121,4 +117,4 @@ class GestureSession : public testing::Test, public Hand {
   }
 };
 
-}  // namespace morphkit::edit
+}  // namespace morphkit::test

@@ -9,6 +9,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, AClickMovesNothingEvenIfTheHandTrembles) {
   mark_three_lines();
   edges = [](SideIndex, cv::Point2d position) { return position + cv::Point2d(5, 5); };

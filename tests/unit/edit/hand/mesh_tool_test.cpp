@@ -7,6 +7,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, MeshesAreMadeDraggedGrownAndShrunk) {
   key('5');
   click(project::kSource, {30, 30});

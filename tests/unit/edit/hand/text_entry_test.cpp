@@ -9,6 +9,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+
 TEST_F(GestureSession, AQuestionTakesItsAnswersAndNothingElse) {
   const auto ask = [&] {
     model.question = Question{"Well?", {"Say."}, {{'y', "Yes"}, {'n', "No"}}};

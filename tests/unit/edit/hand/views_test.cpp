@@ -9,6 +9,10 @@
 namespace morphkit::edit {
 namespace {
 
+using test::GestureSession;
+using test::Hand;
+using test::kPicture;
+
 TEST(GestureViews, TheWheelKeepsWhatIsUnderTheMouseStillAndTheOtherPictureFollows) {
   Hand hand({800, 450});
   hand.model.fit_views();

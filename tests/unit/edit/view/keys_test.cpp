@@ -15,6 +15,8 @@
 namespace morphkit::edit {
 namespace {
 
+using test::Hand;
+
 /// Everything that a key could change, in words.
 std::string told(const Model& model, std::optional<Wish> wish) {
   const auto numbers = [](const auto&... values) { return ((std::to_string(values) + ' ') + ...); };

@@ -6,20 +6,20 @@
 
 #include "warp/field/line_field.h"
 
-namespace morphkit::warp {
+namespace morphkit::test {
 
 /// A line set, the size of its picture, and the seed that reproduces it.
 struct FieldCase {
   unsigned seed = 0;
   int width = 0, height = 0;
   int targets = 1;
-  std::vector<FieldLine> lines;
+  std::vector<warp::FieldLine> lines;
 };
 
 /// One row of results, the positions of every target and the values.
 struct FieldRow {
   FieldRow(int targets, int n)
-      : maps(static_cast<size_t>(targets), std::vector<MapPoint>(static_cast<size_t>(n), MapPoint(-7, -7))),
+      : maps(static_cast<size_t>(targets), std::vector<warp::MapPoint>(static_cast<size_t>(n), warp::MapPoint(-7, -7))),
         values(static_cast<size_t>(n), -7.0f),
         value_view(1, n, values.data()) {
     for (auto& map : maps) views.emplace_back(1, n, map.data());
@@ -28,20 +28,20 @@ struct FieldRow {
 
   cv::Rect area(int y, int x_begin) const { return {x_begin, y, static_cast<int>(values.size()), 1}; }
 
-  std::vector<std::vector<MapPoint>> maps;
+  std::vector<std::vector<warp::MapPoint>> maps;
   std::vector<float> values;
-  std::vector<Map> views;  ///< of the same memory
+  std::vector<warp::Map> views;  ///< of the same memory
   cv::Mat1f value_view;
 };
 
-inline FieldRow evaluated_row(const LineField& field, int y, int x_begin, int n,
-                              FieldAccuracy accuracy = FieldAccuracy::kExact) {
+inline FieldRow evaluated_row(const warp::LineField& field, int y, int x_begin, int n,
+                              warp::FieldAccuracy accuracy = warp::FieldAccuracy::kExact) {
   FieldRow row(field.targets(), n);
   field.evaluate(row.area(y, x_begin), accuracy, row.views, &row.value_view);
   return row;
 }
 
-inline FieldRow reference_row(const LineField& field, int y, int x_begin, int n) {
+inline FieldRow reference_row(const warp::LineField& field, int y, int x_begin, int n) {
   FieldRow row(field.targets(), n);
   field.reference(row.area(y, x_begin), row.views, &row.value_view);
   return row;
@@ -52,7 +52,7 @@ class FieldCaseMaker {
   explicit FieldCaseMaker(unsigned seed) : random_(seed), seed_(seed) {}
 
   /// Lines all over the picture, moved by up to `move` px and turned a little, equal weights.
-  FieldCase ordinary(int width, int height, int lines, int targets, LineWeight weight, double move);
+  FieldCase ordinary(int width, int height, int lines, int targets, warp::LineWeight weight, double move);
 
   /// Crossing, tiny, huge, point-like and pixel-aligned lines, wild targets and mixed weights.
   FieldCase wild();
@@ -70,21 +70,21 @@ class FieldCaseMaker {
   cv::Point2d pixel_centre(const FieldCase& set) {
     return {integer(0, set.width - 1) + 0.5, integer(0, set.height - 1) + 0.5};
   }
-  LineWeight weight();
-  Line wild_line(const FieldCase& set);
+  warp::LineWeight weight();
+  warp::Line wild_line(const FieldCase& set);
 
   std::mt19937 random_;
   unsigned seed_;
 };
 
-inline FieldCase FieldCaseMaker::ordinary(int width, int height, int lines, int targets, LineWeight weight,
+inline FieldCase FieldCaseMaker::ordinary(int width, int height, int lines, int targets, warp::LineWeight weight,
                                           double move) {
   FieldCase set{seed_, width, height, targets, {}};
   for (int i = 0; i < lines; ++i) {
     const cv::Point2d p = somewhere(set);
     const double reach = 0.1 * width;
-    const Line output{p, p + within(reach) + cv::Point2d(reach, 0)};
-    FieldLine line{output, {}, weight, pick({LineScale::kAlong, LineScale::kUniform}), uniform(0, 1)};
+    const warp::Line output{p, p + within(reach) + cv::Point2d(reach, 0)};
+    warp::FieldLine line{output, {}, weight, pick({warp::LineScale::kAlong, warp::LineScale::kUniform}), uniform(0, 1)};
     for (int t = 0; t < targets; ++t) {
       const cv::Point2d shift = within(move);
       line.targets.push_back({output.p + shift, output.q + shift + within(move / 4)});
@@ -94,13 +94,13 @@ inline FieldCase FieldCaseMaker::ordinary(int width, int height, int lines, int 
   return set;
 }
 
-inline LineWeight FieldCaseMaker::weight() {
+inline warp::LineWeight FieldCaseMaker::weight() {
   return {pick({0.0, 0.01, 1.0, 10.0, 100.0}),
           pick({0.0, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0, uniform(0.5, 4), uniform(0, 8)}),
           pick({0.0, 0.2, 1.0, uniform(0, 1)})};
 }
 
-inline Line FieldCaseMaker::wild_line(const FieldCase& set) {
+inline warp::Line FieldCaseMaker::wild_line(const FieldCase& set) {
   const cv::Point2d p = somewhere(set);
   switch (integer(0, 6)) {
     case 0:
@@ -124,10 +124,13 @@ inline FieldCase FieldCaseMaker::wild() {
   FieldCase set{seed_, pick({40, 640, 1920, 3840}), pick({30, 480, 2160}), integer(1, 4), {}};
   const int lines = pick({1, 2, 3, integer(4, 20), integer(21, 70)});
   const bool mixed = integer(0, 1) == 1;
-  const LineWeight common = weight();
+  const warp::LineWeight common = weight();
   for (int i = 0; i < lines; ++i) {
-    FieldLine line{
-        wild_line(set), {}, mixed ? weight() : common, pick({LineScale::kAlong, LineScale::kUniform}), uniform(-2, 3)};
+    warp::FieldLine line{wild_line(set),
+                         {},
+                         mixed ? weight() : common,
+                         pick({warp::LineScale::kAlong, warp::LineScale::kUniform}),
+                         uniform(-2, 3)};
     const bool point = line.output.p == line.output.q;
     for (int t = 0; t < set.targets; ++t) {
       const cv::Point2d shift = within(pick({0.0, 1.0, 30.0, 500.0}));
@@ -139,4 +142,4 @@ inline FieldCase FieldCaseMaker::wild() {
   return set;
 }
 
-}  // namespace morphkit::warp
+}  // namespace morphkit::test

@@ -10,6 +10,10 @@
 namespace morphkit::warp {
 namespace {
 
+using test::FieldCase;
+using test::FieldCaseMaker;
+using test::FieldRow;
+
 class LineFieldPair : public hwy::TestWithParamTarget {};
 
 HWY_TARGET_INSTANTIATE_TEST_SUITE_P(LineFieldPair);

@@ -14,6 +14,11 @@
 namespace morphkit::warp {
 namespace {
 
+using test::FieldCase;
+using test::FieldCaseMaker;
+using test::FieldRow;
+using test::reference_row;
+
 constexpr int kWildCases = 400;
 
 /// Worst distance from the reference; infinite if a value is not finite, or differs where it must be equal.

@@ -12,6 +12,12 @@
 namespace morphkit::warp {
 namespace {
 
+using test::evaluated_row;
+using test::FieldCase;
+using test::FieldCaseMaker;
+using test::FieldRow;
+using test::reference_row;
+
 FieldLine pair(Line output, Line target, LineWeight weight = {}, LineScale scale = LineScale::kAlong,
                double value = 0) {
   return {output, {target}, weight, scale, value};

@@ -16,6 +16,8 @@
 namespace morphkit::warp {
 namespace {
 
+using test::same_pixels;
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 

@@ -8,10 +8,10 @@
 
 #include "warp/image/image.h"
 
-namespace morphkit::warp {
+namespace morphkit::test {
 
 /// Equal bits; any NaN equals any NaN.
-inline bool same_pixels(const std::vector<Pixel>& a, const std::vector<Pixel>& b) {
+inline bool same_pixels(const std::vector<warp::Pixel>& a, const std::vector<warp::Pixel>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t k = 0; k < a.size(); ++k) {
     for (int c = 0; c < 4; ++c) {
@@ -22,4 +22,4 @@ inline bool same_pixels(const std::vector<Pixel>& a, const std::vector<Pixel>& b
   return true;
 }
 
-}  // namespace morphkit::warp
+}  // namespace morphkit::test

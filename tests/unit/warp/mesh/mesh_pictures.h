@@ -11,7 +11,7 @@
 #include "tests/support/known_pictures.h"
 #include "warp/mesh/mesh_warp.h"
 
-namespace morphkit::warp {
+namespace morphkit::test {
 
 /// The zone plate and its radial map as meshes. The border of a mesh lies on its outline, but the radial map does not
 /// keep it there. So both images and the plate extend beyond the measured part, and in this margin the vertices move
@@ -34,21 +34,23 @@ class ZonePlate {
 
   static double value(cv::Point2d source) { return plate().value(source); }
 
-  static Image source() {
+  static warp::Image source() {
     return grey_image({kSourceSize, kSourceSize}, [](double x, double y) { return value({x, y}); });
   }
 
   static cv::Point2d radial(cv::Point2d output) { return plate().radial(output); }
 
-  static Mesh to() { return uniform_mesh(kVertices, kVertices, cv::Rect2d(0, 0, kOutputSize, kOutputSize)); }
+  static warp::Mesh to() {
+    return warp::uniform_mesh(kVertices, kVertices, cv::Rect2d(0, 0, kOutputSize, kOutputSize));
+  }
 
-  static Mesh from() {
-    Mesh mesh = to();
+  static warp::Mesh from() {
+    warp::Mesh mesh = to();
     for (cv::Point2d& vertex : mesh.vertices) {
       const cv::Point2d inside = radial(vertex);
       vertex = {drawn_out(vertex.x, inside.x), drawn_out(vertex.y, inside.y)};
     }
-    snap_to_outline(mesh, cv::Rect2d(0, 0, kSourceSize, kSourceSize));
+    warp::snap_to_outline(mesh, cv::Rect2d(0, 0, kSourceSize, kSourceSize));
     return mesh;
   }
 
@@ -65,9 +67,9 @@ class ZonePlate {
 
 /// A uniform mesh with moved inner vertices: a smooth swirl of up to `swirl` of the image, plus a random shift of up to
 /// `jitter` of the distance to the neighbours.
-inline Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double jitter, unsigned seed) {
+inline warp::Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double jitter, unsigned seed) {
   const cv::Rect2d outline(0, 0, size.width, size.height);
-  Mesh mesh = uniform_mesh(columns, rows, outline);
+  warp::Mesh mesh = warp::uniform_mesh(columns, rows, outline);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (cv::Point2d& vertex : mesh.vertices) {
@@ -77,24 +79,25 @@ inline Mesh bent_mesh(int columns, int rows, cv::Size size, double swirl, double
     vertex.x += size.width * way * std::cos(5 * y + seed) + jitter * uniform(random) * size.width / (columns - 1);
     vertex.y += size.height * way * std::sin(5 * x + seed) + jitter * uniform(random) * size.height / (rows - 1);
   }
-  snap_to_outline(mesh, outline);
+  warp::snap_to_outline(mesh, outline);
   return mesh;
 }
 
 /// The exact map of `warp` at every `stride`-th output pixel of `area`, at `offset` in [0, 1] from its corner. It is
 /// the map of the output mesh reduced by `stride`.
-inline Map sparse_map(const MeshWarp& warp, cv::Rect area, int stride, cv::Point2d offset) {
-  Mesh to = warp.to();
+inline warp::Map sparse_map(const warp::MeshWarp& warp, cv::Rect area, int stride, cv::Point2d offset) {
+  warp::Mesh to = warp.to();
   const cv::Point2d origin = cv::Point2d(area.tl()) + offset;
   for (cv::Point2d& vertex : to.vertices) vertex = (vertex - origin) / stride + cv::Point2d(0.5, 0.5);
   const cv::Size size((area.width + stride - 1) / stride, (area.height + stride - 1) / stride);
-  return MeshWarp(warp.from(), to, {MeshSpline::kMonotone, warp.order()}).map(size);
+  return warp::MeshWarp(warp.from(), to, {warp::MeshSpline::kMonotone, warp.order()}).map(size);
 }
 
 /// The mean of 16 x 16 samples of the picture over every `stride`-th pixel and row of `area`, through the exact map of
 /// `warp`. The spline of `warp` must be monotone.
 template <typename Value>
-std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area, int stride, const Value& value) {
+std::vector<ReferencePixel> reference_pixels(const warp::MeshWarp& warp, cv::Rect area, int stride,
+                                             const Value& value) {
   constexpr int kSamples = 16;
   std::vector<ReferencePixel> pixels;
   for (int y = area.y; y < area.br().y; y += stride) {
@@ -102,7 +105,7 @@ std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area
   }
   for (int sample = 0; sample < kSamples * kSamples; ++sample) {
     const cv::Point2d offset = cv::Point2d(cv::Point(sample % kSamples, sample / kSamples)) + cv::Point2d(0.5, 0.5);
-    const Map map = sparse_map(warp, area, stride, offset / kSamples);
+    const warp::Map map = sparse_map(warp, area, stride, offset / kSamples);
     for_rows(map.rows, [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
         for (int x = 0; x < map.cols; ++x) {
@@ -115,4 +118,4 @@ std::vector<ReferencePixel> reference_pixels(const MeshWarp& warp, cv::Rect area
   return pixels;
 }
 
-}  // namespace morphkit::warp
+}  // namespace morphkit::test

@@ -10,6 +10,14 @@
 namespace morphkit::warp {
 namespace {
 
+using test::bent_mesh;
+using test::Photograph;
+using test::plate_quality;
+using test::psnr;
+using test::reference_pixels;
+using test::sparse_map;
+using test::ZonePlate;
+
 const cv::Size kPhotographSize(600, 400);
 constexpr int kStride = 11;  // between pixels that are compared
 

@@ -8,7 +8,7 @@
 
 #include "tests/support/known_pictures.h"
 
-namespace morphkit::warp {
+namespace morphkit::test {
 
 class PlateReduction {
  public:
@@ -18,12 +18,12 @@ class PlateReduction {
 
   static constexpr RadialPlate plate() { return {kSourceSize, kOutputSize}; }
 
-  static Image source() {
+  static warp::Image source() {
     return grey_image({kSourceSize, kSourceSize}, [](double x, double y) { return plate().value({x, y}); });
   }
 
-  static Map map() {
-    Map map(kOutputSize, kOutputSize);
+  static warp::Map map() {
+    warp::Map map(kOutputSize, kOutputSize);
     for (int y = 0; y < kOutputSize; ++y) {
       for (int x = 0; x < kOutputSize; ++x) {
         const cv::Point2d source = plate().radial({x + 0.5, y + 0.5});
@@ -82,4 +82,4 @@ class PlateReduction {
   }
 };
 
-}  // namespace morphkit::warp
+}  // namespace morphkit::test

@@ -18,6 +18,8 @@
 namespace morphkit::warp::detail {
 namespace {
 
+using test::same_pixels;
+
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::array kKernels = {Kernel::kNearest, Kernel::kBilinear, Kernel::kBicubic};

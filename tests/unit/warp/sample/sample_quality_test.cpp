@@ -10,6 +10,11 @@
 namespace morphkit::warp {
 namespace {
 
+using test::plate_quality;
+using test::PlateQuality;
+using test::PlateReduction;
+using test::ReferencePixel;
+
 constexpr int kStride = 7;  // between pixels that are compared
 
 PlateQuality quality(Filter filter, const std::vector<ReferencePixel>& references) {
