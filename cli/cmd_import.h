@@ -12,7 +12,7 @@ struct Session;
 
 struct ImportOptions {
   std::vector<std::filesystem::path> files;   ///< of the other tool, the source's first
-  std::filesystem::path source, destination;  ///< the pictures
+  std::filesystem::path source, destination;  ///< the pictures; empty: as the files name them
   std::filesystem::path output;               ///< the project
   bool overwrite = false;
 };

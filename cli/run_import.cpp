@@ -28,9 +28,23 @@ std::string summary(const project::Project& project) {
   return text;
 }
 
+/// The options with the pictures that the files name, where the user names none.
+ImportOptions with_pictures(ImportOptions options) {
+  if (!options.source.empty() && !options.destination.empty()) return options;
+  const std::vector<std::filesystem::path> named = as_asked([&] { return exchange::pictures_in(options.files); });
+  if (named.empty()) {
+    throw ArgumentError(options.source.empty() ? "--source" : "--destination",
+                        "is required, for these files name no pictures");
+  }
+  if (options.source.empty()) options.source = named[project::kSource];
+  if (options.destination.empty()) options.destination = named[project::kDestination];
+  return options;
+}
+
 }  // namespace
 
-int run_import(const ImportOptions& options, Output& output) {
+int run_import(const ImportOptions& asked, Output& output) {
+  const ImportOptions options = with_pictures(asked);
   if (options.output.extension() != ".json")
     throw ArgumentError(options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;

@@ -1,5 +1,6 @@
 #include "cli/cmd_warp.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -60,24 +61,44 @@ NamedMesh project_mesh(const project::Project& project, project::SideIndex side,
           fmt::format("{}: /mesh/{}/", project.file.string(), render::name_of(side))};
 }
 
-NamedMesh read_mesh(const std::filesystem::path& file, cv::Size frame, Output& output) {
+/// The meshes of files that belong together.
+std::vector<NamedMesh> read_meshes(std::span<const exchange::MeshFile> files, Output& output) {
   std::vector<std::string> remarks;
-  NamedMesh named{exchange::read_xmorph_mesh(file, frame, remarks), file.string()};
+  std::vector<NamedMesh> meshes;
+  for (exchange::PictureMesh& one : exchange::read_xmorph_meshes(files, remarks))
+    meshes.push_back({std::move(one.mesh), one.name});
   for (const std::string& remark : remarks) output.note(remark);
-  return named;
+  return meshes;
 }
 
-NamedMesh to_mesh(const WarpOptions& options, const project::Project& settings, cv::Size size, Output& output) {
-  if (is_project(options.mesh)) return project_mesh(settings, project::kDestination, size);
-  return read_mesh(options.mesh, size, output);
-}
+/// The mesh on the image and the one on the result.
+struct Bend {
+  NamedMesh from, to;
+};
 
-NamedMesh from_mesh(const WarpOptions& options, const project::Project& settings, const warp::Mesh& to, cv::Size image,
-                    Output& output) {
-  if (is_project(options.from)) return project_mesh(with_mesh(project::load(options.from)), project::kSource, image);
-  if (!options.from.empty()) return read_mesh(options.from, image, output);
-  if (is_project(options.mesh)) return project_mesh(settings, project::kSource, image);
-  return {warp::uniform_mesh(to.columns, to.rows, {{0, 0}, cv::Size2d(image)}), options.mesh.string()};
+Bend read_bend(const WarpOptions& options, const project::Project& settings, cv::Size image, cv::Size size,
+               Output& output) {
+  const bool to_file = !is_project(options.mesh), from_file = !options.from.empty() && !is_project(options.from);
+  const exchange::MeshFile to{options.mesh, size, {}}, from{options.from, image, {}};
+  Bend bend;
+  if (to_file && from_file) {
+    const exchange::MeshFile files[] = {to, from};
+    std::vector<NamedMesh> meshes = read_meshes(files, output);
+    return {std::move(meshes[1]), std::move(meshes[0])};
+  }
+  bend.to =
+      to_file ? std::move(read_meshes({&to, 1}, output).front()) : project_mesh(settings, project::kDestination, size);
+  if (from_file) {
+    bend.from = std::move(read_meshes({&from, 1}, output).front());
+  } else if (!options.from.empty()) {
+    bend.from = project_mesh(with_mesh(project::load(options.from)), project::kSource, image);
+  } else if (!to_file) {
+    bend.from = project_mesh(settings, project::kSource, image);
+  } else {
+    bend.from = {warp::uniform_mesh(bend.to.mesh.columns, bend.to.mesh.rows, {{0, 0}, cv::Size2d(image)}),
+                 options.mesh.string()};
+  }
+  return bend;
 }
 
 void require_alike(const WarpOptions& options, const warp::Mesh& from, const warp::Mesh& to) {
@@ -100,8 +121,7 @@ void require_free(const WarpOptions& options) {
 /// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
 warp::MeshWarp mesh_warp(const WarpOptions& options, const project::Project& settings, cv::Size image, cv::Size size,
                          Output& output) {
-  const NamedMesh to = to_mesh(options, settings, size, output);
-  const NamedMesh from = from_mesh(options, settings, to.mesh, image, output);
+  const auto [from, to] = read_bend(options, settings, image, size, output);
   require_alike(options, from.mesh, to.mesh);
   warp::MeshWarp warp(from.mesh, to.mesh, {settings.warp.mesh.spline, settings.warp.mesh.order});
   const char* const order = render::text_of(warp.order());

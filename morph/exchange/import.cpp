@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/words.h"
+#include "morph/exchange/import_session.h"
 #include "morph/exchange/import_xmorph.h"
 
 namespace morphkit::exchange {
@@ -16,8 +17,11 @@ namespace {
 
 constexpr std::string_view kXmorphExtensions[] = {".mesh"};
 
+constexpr std::string_view kSessionExtensions[] = {".session"};
+
 constexpr Format kFormats[] = {
-    {"xmorph", kXmorphExtensions, 2, "two .mesh files, the source's first", import_xmorph, export_xmorph}};
+    {"xmorph", kXmorphExtensions, 2, "two .mesh files, the source's first", import_xmorph, export_xmorph, nullptr},
+    {"gtkmorph", kSessionExtensions, 1, "one .session file", import_session, nullptr, session_pictures}};
 
 const Format* find_format(const std::filesystem::path& file) {
   const std::string extension = lower(file.extension().string());
@@ -64,6 +68,12 @@ std::span<const Format> formats() {
   return kFormats;
 }
 
+std::vector<std::filesystem::path> pictures_in(const std::vector<std::filesystem::path>& files) {
+  const Format& format = format_of(files);
+  if (!format.pictures) return {};
+  return format.pictures(files.front());
+}
+
 ImportReport import_into(project::Project& project, const ImportInput& input) {
   const Format& format = format_of(input.files);
   project::Project result = project;
@@ -74,6 +84,10 @@ ImportReport import_into(project::Project& project, const ImportInput& input) {
 
 std::vector<std::string> export_to(const project::Project& project, const ExportOutput& output) {
   const Format& format = format_of(output.files);
+  if (!format.export_files) {
+    throw Error(ErrorKind::kUnsupported, output.files.front().string(),
+                fmt::format("files of {} are only read, not written", format.name));
+  }
   std::set<std::filesystem::path> names;
   for (const std::filesystem::path& file : output.files) {
     if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(file))).second)

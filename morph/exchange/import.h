@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,13 @@
 #include "warp/mesh/mesh.h"
 
 namespace morphkit::exchange {
+
+/// The mesh of one picture.
+struct PictureMesh {
+  warp::Mesh mesh;   ///< px of the picture
+  cv::Size size;     ///< of the picture, px
+  std::string name;  ///< for remarks
+};
 
 struct ImportInput {
   std::vector<std::filesystem::path> files;  ///< as many as the format wants, the source's first
@@ -39,12 +47,19 @@ struct Format {
   std::string_view wants;                        ///< what they are: "two files, the source's mesh first"
   /// Lays what the files say over the project. @throws Error as import_into.
   std::vector<std::string> (*import_files)(project::Project& project, const ImportInput& input);
-  /// @throws Error as export_to.
+  /// @throws Error as export_to. Null: the format is only read.
   std::vector<std::string> (*export_files)(const project::Project& project, const ExportOutput& output);
+  /// The pictures that the files name. Null: they name none. @throws Error as import_into.
+  std::vector<std::filesystem::path> (*pictures)(const std::filesystem::path& file);
 };
 
 /// All that are known.
 std::span<const Format> formats();
+
+/// The pictures that the files name, the source's first, as seen from the current folder; empty if the format names
+/// none.
+/// @throws Error as import_into.
+std::vector<std::filesystem::path> pictures_in(const std::vector<std::filesystem::path>& files);
 
 /// Lays what other tools' files say over `project`, which is then such that it can be saved. The format is told by the
 /// extension.
@@ -60,8 +75,17 @@ ImportReport import_into(project::Project& project, const ImportInput& input);
 ///         be put in place).
 std::vector<std::string> export_to(const project::Project& project, const ExportOutput& output);
 
-/// One side of xmorph's meshes, brought to a picture of `size` px; border vertices lie on its border exactly.
+/// A .mesh file of xmorph or gtkmorph.
+struct MeshFile {
+  std::filesystem::path file;
+  cv::Size size;                    ///< of the picture to which the mesh is scaled, px
+  std::optional<cv::Size2d> frame;  ///< in which the vertices lie, px; unset: as the file says
+};
+
+/// The meshes of pictures that belong together, brought to the sizes of the pictures; border vertices lie on the border
+/// exactly, and all have equal numbers of columns and rows. A mesh that covers only a part of its picture gets more of
+/// them, so do the others then. They may fold.
 /// @param remarks  receives what was assumed, a sentence each. @throws Error kIo, kBadInput naming file and line.
-warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size, std::vector<std::string>& remarks);
+std::vector<PictureMesh> read_xmorph_meshes(std::span<const MeshFile> files, std::vector<std::string>& remarks);
 
 }  // namespace morphkit::exchange

@@ -1,5 +1,6 @@
 // xmorph and gtkmorph: one .mesh file per side. "M2", the numbers of columns and rows, then a line for every vertex, x
-// fastest: x and y in tenths of a pixel, and an optional label. gtkmorph puts tags after them.
+// fastest: x and y in tenths of a pixel, and an optional label. gtkmorph puts tags after them: the vertices then lie in
+// a frame of <resulting image size>, which shows the part <rect> of a picture of the size <orig>.
 //
 // Their pixel 0 has its centre at 0 and a mesh reaches from the centre of the first pixel to that of the last, so 0 and
 // W - 1 are 0.5 and W - 0.5 here; vertices at the border then move to the border of the picture, 0 and W.
@@ -7,7 +8,6 @@
 #include "morph/exchange/import_xmorph.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -16,10 +16,13 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/whole_file.h"
+#include "morph/exchange/fit_mesh.h"
+#include "morph/exchange/text_lines.h"
 #include "morph/json/json.h"
 #include "morph/project/limits.h"
 
@@ -30,66 +33,8 @@ constexpr double kTenths = 10;      // units of the file in a pixel
 constexpr double kCentre = 0.5;     // of the first pixel here, 0 there
 constexpr double kRounding = 0.05;  // px: half a unit of the file
 
-/// The lines of a file and their words.
-class Lines {
- public:
-  Lines(std::string_view text, std::string name) : rest_(text), name_(std::move(name)) {}
-
-  /// The next line that is not blank, without its end and surrounding space; nullopt at the end of the file.
-  std::optional<std::string_view> next() {
-    while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      const std::string_view line = trimmed(rest_.substr(0, end));
-      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-      ++number_;
-      if (!line.empty()) return line;
-    }
-    return std::nullopt;
-  }
-
-  /// @throws Error kBadInput at the last line read.
-  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorKind::kBadInput, place(), message); }
-
-  /// "file:line" of the last line read.
-  std::string place() const { return fmt::format("{}:{}", name_, std::max(number_, 1)); }
-
-  int number() const noexcept { return number_; }
-
- private:
-  static std::string_view trimmed(std::string_view line) {
-    constexpr std::string_view kSpace = " \t\r\f\v";
-    const std::size_t begin = line.find_first_not_of(kSpace);
-    if (begin == std::string_view::npos) return {};
-    return line.substr(begin, line.find_last_not_of(kSpace) - begin + 1);
-  }
-
-  std::string_view rest_;
-  std::string name_;
-  int number_ = 0;
-};
-
-/// The words of a line; everything after the first `most` words is one word.
-std::vector<std::string_view> words_of(std::string_view line, std::size_t most) {
-  std::vector<std::string_view> words;
-  while (!line.empty()) {
-    const std::size_t end = words.size() + 1 < most ? line.find_first_of(" \t") : std::string_view::npos;
-    words.push_back(line.substr(0, end));
-    line.remove_prefix(words.back().size());
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-  }
-  return words;
-}
-
-template <typename T>
-std::optional<T> number_in(std::string_view word) {
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
 /// The grid of the header, without vertices.
-warp::Mesh read_head(Lines& lines) {
+warp::Mesh read_head(TextLines& lines) {
   const auto magic = lines.next();
   if (!magic) lines.fail("the file is empty; expected a mesh of xmorph, which begins with \"M2\"");
   if (*magic != "M2") {
@@ -111,7 +56,7 @@ warp::Mesh read_head(Lines& lines) {
   return {static_cast<int>(*columns), static_cast<int>(*rows), {}};
 }
 
-cv::Point2d read_vertex(const Lines& lines, std::string_view line) {
+cv::Point2d read_vertex(const TextLines& lines, std::string_view line) {
   const auto words = words_of(line, 4);
   const auto x = words.size() >= 2 ? number_in<double>(words[0]) : std::nullopt;
   const auto y = words.size() >= 2 ? number_in<double>(words[1]) : std::nullopt;
@@ -131,13 +76,53 @@ cv::Point2d read_vertex(const Lines& lines, std::string_view line) {
   return {*x, *y};
 }
 
-/// Places in a file.
-struct Places {
-  std::string last_vertex;  ///< "file:line"
-  int tags = 0;             ///< line of gtkmorph's first tag; 0: there is none
+/// What gtkmorph says after the vertices.
+struct Tags {
+  std::optional<cv::Size2d> frame;     ///< in which the vertices lie, px
+  std::optional<cv::Size2d> original;  ///< the size of the picture that `rect` is a part of, px
+  std::optional<cv::Rect2d> rect;      ///< the part of the picture that the frame shows, px
+  std::vector<std::string> left_out;   ///< names of the tags that are not used, each once
 };
 
-Places read_vertices(Lines& lines, warp::Mesh& mesh) {
+/// A mesh as it stands in its file.
+struct FileMesh {
+  warp::Mesh mesh;          ///< tenths of a pixel
+  std::string last_vertex;  ///< "file:line"
+  Tags tags;
+};
+
+/// The part of <rect>. @throws Error kBadInput if it is empty.
+cv::Rect2d read_rect(TextLines& lines, std::string_view tag) {
+  const std::vector<double> numbers = read_numbers(lines, 4, tag);
+  const cv::Rect2d rect(numbers[0], numbers[1], numbers[2], numbers[3]);
+  if (rect.width < 1 || rect.height < 1) lines.fail(fmt::format("{} is empty; expected x y width height", tag));
+  return rect;
+}
+
+Tags read_tags(TextLines& lines, std::optional<std::string_view> line) {
+  constexpr std::string_view kNotTold[] = {"<SIS>", "<image file name>"};
+  Tags tags;
+  for (; line; line = lines.next()) {
+    if (!line->starts_with('<') || line->starts_with("</")) continue;
+    if (*line == "<resulting image size>") {
+      tags.frame = read_size(lines, *line);
+    } else if (*line == "<orig>") {
+      tags.original = read_size(lines, *line);
+    } else if (*line == "<rect>") {
+      tags.rect = read_rect(lines, *line);
+    } else if (const std::string name = json::shown(*line);
+               std::ranges::find(kNotTold, *line) == std::end(kNotTold) &&
+               std::ranges::find(tags.left_out, name) == tags.left_out.end()) {
+      tags.left_out.push_back(name);
+    }
+  }
+  return tags;
+}
+
+FileMesh read_mesh(std::string_view text, const std::string& name) {
+  TextLines lines(text, name);
+  FileMesh file{read_head(lines), {}, {}};
+  warp::Mesh& mesh = file.mesh;
   const auto count = static_cast<std::size_t>(mesh.columns) * static_cast<std::size_t>(mesh.rows);
   const auto promised = [&] { return fmt::format("{} vertices ({} x {})", count, mesh.columns, mesh.rows); };
   while (mesh.vertices.size() < count) {
@@ -147,58 +132,63 @@ Places read_vertices(Lines& lines, warp::Mesh& mesh) {
     }
     mesh.vertices.push_back(read_vertex(lines, *line));
   }
-  Places places{lines.place(), 0};
+  file.last_vertex = lines.place();
   const auto line = lines.next();
   if (line && line->front() != '<') {
     lines.fail(fmt::format("expected the end of the file after {}, found {}", promised(), json::shown(*line)));
   }
-  if (line) places.tags = lines.number();
-  return places;
+  file.tags = read_tags(lines, line);
+  return file;
 }
 
-/// The largest distance of a border vertex of a scaled mesh, in xmorph's convention, from its right place, px.
-double border_distance(const warp::Mesh& mesh, cv::Size size) {
-  double distance = 0;
-  const auto look = [&](double found, double wanted) { distance = std::max(distance, std::abs(found - wanted)); };
-  for (int row = 0; row < mesh.rows; ++row) {
-    look(mesh.at(0, row).x, kCentre);
-    look(mesh.at(mesh.columns - 1, row).x, size.width - kCentre);
-  }
-  for (int column = 0; column < mesh.columns; ++column) {
-    look(mesh.at(column, 0).y, kCentre);
-    look(mesh.at(column, mesh.rows - 1).y, size.height - kCentre);
-  }
-  return distance;
-}
-
-/// Converts from tenths of pixels of the mesh's own picture; the last vertex is its last pixel.
-void bring_to(warp::Mesh& mesh, cv::Size size, const std::string& name, const Places& places,
-              std::vector<std::string>& remarks) {
-  const cv::Point2d last = mesh.vertices.back();
+/// The frame of the vertices, px: as the tags say, else the last vertex is its last pixel.
+cv::Size2d frame_of(const FileMesh& file, std::optional<cv::Size2d> frame) {
+  if (frame) return *frame;
+  if (file.tags.frame) return *file.tags.frame;
+  const cv::Point2d last = file.mesh.vertices.back();
   // Less than a tenth of a pixel; this also refuses values that would scale to infinity.
   if (last.x < 1 || last.y < 1) {
-    throw Error(ErrorKind::kBadInput, places.last_vertex,
+    throw Error(ErrorKind::kBadInput, file.last_vertex,
                 fmt::format("the last vertex, the lower right corner, is at ({}, {}); expected the size of a picture",
                             json::number_text(last.x), json::number_text(last.y)));
   }
-  const cv::Size2d scale((size.width - 1) / last.x, (size.height - 1) / last.y);
+  return {last.x / kTenths + 1, last.y / kTenths + 1};
+}
+
+/// The part of the picture that the frame shows, px.
+cv::Rect2d part_of(const Tags& tags, cv::Size size) {
+  if (!tags.rect) return {{0, 0}, cv::Size2d(size)};
+  const cv::Size2d original = tags.original.value_or(cv::Size2d(size));
+  const double x = size.width / original.width, y = size.height / original.height;
+  return {tags.rect->x * x, tags.rect->y * y, tags.rect->width * x, tags.rect->height * y};
+}
+
+/// Converts from tenths of pixels of the frame to px of the picture.
+warp::Mesh placed(const FileMesh& file, const MeshFile& asked, const std::string& name,
+                  std::vector<std::string>& remarks) {
+  const cv::Size2d frame = frame_of(file, asked.frame);
+  const cv::Rect2d part = part_of(file.tags, asked.size);
+  const cv::Size2d scale((part.width - 1) / (frame.width - 1) / kTenths,
+                         (part.height - 1) / (frame.height - 1) / kTenths);
+  warp::Mesh mesh = file.mesh;
   for (cv::Point2d& vertex : mesh.vertices) {
-    vertex = {vertex.x * scale.width + kCentre, vertex.y * scale.height + kCentre};
+    vertex = {part.x + vertex.x * scale.width + kCentre, part.y + vertex.y * scale.height + kCentre};
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) > project::kMaxCoordinate) {
-      throw Error(ErrorKind::kBadInput, places.last_vertex,
+      throw Error(ErrorKind::kBadInput, file.last_vertex,
                   "a vertex is far outside the picture, whose lower right corner the last vertex is");
     }
   }
-  const cv::Size2d drawn_on(last.x / kTenths + 1, last.y / kTenths + 1);
-  if (std::abs(drawn_on.width - size.width) > kRounding || std::abs(drawn_on.height - size.height) > kRounding) {
-    remarks.push_back(fmt::format("{}: drawn on {:.6g} x {:.6g} pixels, stretched to {} x {}", name, drawn_on.width,
-                                  drawn_on.height, size.width, size.height));
+  if (file.tags.rect) {
+    remarks.push_back(fmt::format("{}: lies on the part {:.6g} x {:.6g} at ({:.6g}, {:.6g}) of the picture", name,
+                                  part.width, part.height, part.x, part.y));
+  } else if (std::abs(frame.width - asked.size.width) > kRounding ||
+             std::abs(frame.height - asked.size.height) > kRounding) {
+    remarks.push_back(fmt::format("{}: drawn on {:.6g} x {:.6g} pixels, stretched to {} x {}", name, frame.width,
+                                  frame.height, asked.size.width, asked.size.height));
   }
-  if (const double distance = border_distance(mesh, size); distance > kRounding) {
-    remarks.push_back(
-        fmt::format("{}: vertices of the border were up to {:.1f} pixels off and moved onto it", name, distance));
-  }
-  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(size)});
+  if (!file.tags.left_out.empty())
+    remarks.push_back(fmt::format("{}: left out: {}", name, fmt::join(file.tags.left_out, ", ")));
+  return mesh;
 }
 
 /// The mesh of a side with a place for every vertex.
@@ -215,36 +205,49 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 warp::Mesh parse_xmorph_mesh(const std::string& text, const std::string& name, cv::Size size,
                              std::vector<std::string>& remarks) {
-  Lines lines(text, name);
-  warp::Mesh mesh = read_head(lines);
-  const Places places = read_vertices(lines, mesh);
-  if (places.tags > 0) remarks.push_back(fmt::format("{}: the tags from line {} on are left out", name, places.tags));
-  bring_to(mesh, size, name, places, remarks);
-  return mesh;
+  PictureMesh one{placed(read_mesh(text, name), {name, size, {}}, name, remarks), size, name};
+  fit_to_pictures({&one, 1}, remarks);
+  return std::move(one.mesh);
 }
 
-warp::Mesh read_xmorph_mesh(const std::filesystem::path& file, cv::Size size, std::vector<std::string>& remarks) {
-  return parse_xmorph_mesh(read_file(file, "mesh", json::kMaxFileBytes), file.string(), size, remarks);
-}
-
-std::vector<std::string> import_xmorph(project::Project& project, const ImportInput& input) {
-  std::vector<std::string> remarks;
-  warp::Mesh source = read_xmorph_mesh(input.files.at(0), input.source_size, remarks);
-  warp::Mesh destination = read_xmorph_mesh(input.files.at(1), input.destination_size, remarks);
-  if (source.columns != destination.columns || source.rows != destination.rows) {
-    throw Error(
-        ErrorKind::kBadInput, input.files[1].string(),
-        fmt::format("a mesh of {} x {} vertices, but {} has {} x {}; both sides need the same", destination.columns,
-                    destination.rows, input.files[0].string(), source.columns, source.rows));
+std::vector<PictureMesh> read_xmorph_meshes(std::span<const MeshFile> files, std::vector<std::string>& remarks) {
+  std::vector<PictureMesh> meshes;
+  for (const MeshFile& file : files) {
+    const std::string name = file.file.string();
+    const FileMesh read = read_mesh(read_file(file.file, "mesh", json::kMaxFileBytes), name);
+    meshes.push_back({placed(read, file, name, remarks), file.size, name});
+    const warp::Mesh& first = meshes.front().mesh;
+    if (read.mesh.columns != first.columns || read.mesh.rows != first.rows) {
+      throw Error(ErrorKind::kBadInput, name,
+                  fmt::format("a mesh of {} x {} vertices, but {} has {} x {}; both sides need the same",
+                              read.mesh.columns, read.mesh.rows, meshes.front().name, first.columns, first.rows));
+    }
   }
-  project.mesh =
-      project::Mesh{source.columns, source.rows, {std::move(source.vertices), std::move(destination.vertices)}, {}};
+  fit_to_pictures(meshes, remarks);
+  return meshes;
+}
+
+std::vector<std::string> import_meshes(project::Project& project, std::span<const MeshFile> files) {
+  std::vector<std::string> remarks;
+  std::vector<PictureMesh> meshes = read_xmorph_meshes(files, remarks);
+  project.mesh = project::Mesh{meshes.front().mesh.columns, meshes.front().mesh.rows, {}, {}};
+  project.mesh->vertices.clear();
+  for (PictureMesh& one : meshes) {
+    unfold(one, remarks);
+    project.mesh->vertices.push_back(std::move(one.mesh.vertices));
+  }
   project.warp.method = project::MethodName::kMesh;
   if (project.warp.border == warp::Border::kMirror) {
     project.warp.border.reset();
     remarks.emplace_back("the border \"mirror\" is gone: a mesh cannot mirror");
   }
   return remarks;
+}
+
+std::vector<std::string> import_xmorph(project::Project& project, const ImportInput& input) {
+  const MeshFile files[] = {{input.files.at(0), input.source_size, {}},
+                            {input.files.at(1), input.destination_size, {}}};
+  return import_meshes(project, files);
 }
 
 std::string xmorph_mesh_text(const warp::Mesh& mesh, cv::Size size) {

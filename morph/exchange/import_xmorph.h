@@ -1,6 +1,7 @@
 #pragma once
 // The .mesh files of xmorph and gtkmorph. Internal to morph/exchange.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace morphkit::exchange {
 
 std::vector<std::string> import_xmorph(project::Project& project, const ImportInput& input);
 std::vector<std::string> export_xmorph(const project::Project& project, const ExportOutput& output);
+
+/// Lays the meshes of all pictures over the project, without folds. @return remarks. @throws Error as import_into.
+std::vector<std::string> import_meshes(project::Project& project, std::span<const MeshFile> files);
 
 /// @param text     contents of the file. @param name  for messages.
 /// @param size     of the picture to which the mesh is scaled, px.

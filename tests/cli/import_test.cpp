@@ -113,6 +113,17 @@ TEST_F(Import, WrongUseAndBadFiles) {
       "none.png: does not exist");
 }
 
+TEST_F(Import, ASessionNeedsNoOtherNames) {
+  write_text(folder_ / "plates/x.session",
+             "<gtkmorph session>\n<image>\n<image file in>\na.png\n<mesh file>\n../a.mesh\n</image>\n"
+             "<image>\n<image file in>\nb.png\n<mesh file>\n../b.mesh\n</image>\n"
+             "<resulting_size>\n41 31\n</resulting_size>\n</gtkmorph session>\n");
+  const RunResult result = run({"import", "plates/x.session", "-o", "pair.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(project::load(folder_ / "pair.json").pictures[project::kDestination].image, "plates/b.png");
+  EXPECT_EQ(run({"morph", "pair.json", "-t", "0.5", "-o", "middle.png"}).exit_code, 0);
+}
+
 TEST_F(Import, ExportGivesTheMeshesBack) {
   ASSERT_EQ(run_import("pair.json").exit_code, 0);
   const RunResult result = run({"export", "pair.json", "x.mesh", "y.mesh"});

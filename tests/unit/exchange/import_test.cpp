@@ -1,4 +1,5 @@
-// Other tools' files, in and out.
+// Tests morph/exchange/fit_mesh.cpp, morph/exchange/import_session.cpp and morph/exchange/text_lines.cpp. Other tools'
+// files, in and out.
 
 #include <filesystem>
 #include <random>
@@ -21,7 +22,7 @@ using test::error_of;
 using test::kXmorphMesh;
 using test::largest_distance;
 using test::parsed;
-using test::random_mesh;
+using test::random_unfolded_mesh;
 using test::read_text;
 using test::TemporaryFolder;
 using test::write_text;
@@ -68,9 +69,85 @@ TEST_F(Import, BothSidesBecomeTheMeshOfTheProject) {
 TEST_F(Import, ReadsOneSideAlone) {
   write_text(folder_ / "a.mesh", kXmorphMesh);
   std::vector<std::string> remarks;
-  EXPECT_EQ(read_xmorph_mesh(folder_ / "a.mesh", {101, 51}, remarks), parsed(kXmorphMesh, {101, 51}));
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_ / "missing.mesh", {101, 51}, remarks); }).kind(), ErrorKind::kIo);
-  EXPECT_EQ(error_of([&] { read_xmorph_mesh(folder_.path(), {101, 51}, remarks); }).kind(), ErrorKind::kIo);
+  const auto read = [&](const std::filesystem::path& file) {
+    const MeshFile one{file, {101, 51}, {}};
+    return read_xmorph_meshes({&one, 1}, remarks).at(0).mesh;
+  };
+  EXPECT_EQ(read(folder_ / "a.mesh"), parsed(kXmorphMesh, {101, 51}));
+  EXPECT_EQ(error_of([&] { read(folder_ / "missing.mesh"); }).kind(), ErrorKind::kIo);
+  EXPECT_EQ(error_of([&] { read(folder_.path()); }).kind(), ErrorKind::kIo);
+}
+
+/// The destination's border is free: its first column lies well inside the picture.
+constexpr const char* kFreeMesh =
+    "M2\n3 3\n"
+    "100 0 0\n480 0 0\n1000 0 0\n"
+    "90 240 0\n515 263 -1\n1000 260 0\n"
+    "100 500 0\n500 500 0\n1000 500 0\n";
+
+TEST_F(Import, BothSidesGetARowWhereOneHasAFreeBorder) {
+  write_text(folder_ / "a.mesh", kXmorphMesh);
+  write_text(folder_ / "b.mesh", kFreeMesh);
+  import_into(project_, {{folder_ / "a.mesh", folder_ / "b.mesh"}, {101, 51}, {101, 51}});
+  ASSERT_TRUE(project_.mesh);
+  EXPECT_EQ(cv::Size(project_.mesh->columns, project_.mesh->rows), cv::Size(4, 3));
+  for (const std::vector<cv::Point2d>& side : project_.mesh->vertices) {
+    const warp::Mesh mesh{4, 3, side};
+    EXPECT_FALSE(warp::off_outline(mesh, {0, 0, 101, 51}, 0));
+    EXPECT_TRUE(warp::find_folds(mesh).empty());
+  }
+  EXPECT_EQ(project_.mesh->vertices[project::kSource][1], cv::Point2d(1, 0)) << "there the border has come inside";
+  EXPECT_EQ(project_.mesh->vertices[project::kDestination][5], cv::Point2d(9.5, 24.5));
+}
+
+TEST_F(Import, AMeshThatFoldsIsUnfoldedAndToldOf) {
+  std::string folded = kXmorphMesh;
+  folded.replace(folded.find("480 0 0"), 7, "1030 0 0");
+  write_text(folder_ / "a.mesh", folded);
+  write_text(folder_ / "b.mesh", kXmorphMesh);
+  const ImportReport report = import_into(project_, {{folder_ / "a.mesh", folder_ / "b.mesh"}, {101, 51}, {101, 51}});
+  const warp::Mesh mesh{3, 3, project_.mesh->vertices[project::kSource]};
+  EXPECT_TRUE(warp::find_folds(mesh).empty());
+  EXPECT_EQ(project_.mesh->vertices[project::kDestination], parsed(kXmorphMesh, {101, 51}).vertices);
+  ASSERT_EQ(report.remarks.size(), 1U);
+  EXPECT_TRUE(contains(report.remarks[0], "a.mesh: folded over; ")) << report.remarks[0];
+}
+
+constexpr const char* kSession =
+    "<gtkmorph session>\n<image>\n<image file in>\none.png\n</image file in>\n<preserve aspect>\n1\n"
+    "</preserve aspect>\n<mesh file>\na.mesh\n</mesh file>\n</image>\n<image>\n<image file in>\ntwo.png\n"
+    "<mesh file>\nb.mesh\n</image>\n<resulting_size>\n201 101\n</resulting_size>\n</gtkmorph session>\n";
+
+TEST_F(Import, ASessionNamesPicturesMeshesAndTheFrame) {
+  write_text(folder_ / "a.mesh", kXmorphMesh);
+  write_text(folder_ / "b.mesh", kXmorphMesh);
+  write_text(folder_ / "x.session", kSession);
+  const std::filesystem::path session = folder_ / "x.session";
+  EXPECT_EQ(pictures_in({session}), (std::vector<std::filesystem::path>{folder_ / "one.png", folder_ / "two.png"}));
+  EXPECT_TRUE(pictures_in({folder_ / "a.mesh", folder_ / "b.mesh"}).empty());
+  const ImportReport report = import_into(project_, {{session}, {201, 101}, {201, 101}});
+  EXPECT_EQ(report.format, "gtkmorph");
+  // The meshes fill half of the frame, so they get a row and a column.
+  EXPECT_EQ(cv::Size(project_.mesh->columns, project_.mesh->rows), cv::Size(4, 4));
+  EXPECT_EQ(project_.mesh->vertices[project::kSource][5], cv::Point2d(52, 26.8));
+  EXPECT_TRUE(contains(error_of([&] { export_to(project_, {{session}, {9, 9}, {9, 9}, true}); }).what(), "only read"));
+}
+
+TEST_F(Import, BadSessionsAreRefused) {
+  const auto error = [&](const std::string& text) {
+    write_text(folder_ / "x.session", text);
+    return std::string(import_error({{folder_ / "x.session"}, {9, 9}, {9, 9}}).what());
+  };
+  EXPECT_TRUE(contains(error("M2\n"), "x.session:1: expected \"<gtkmorph session>\""));
+  EXPECT_TRUE(contains(error(""), "found an empty file"));
+  EXPECT_TRUE(contains(error("<gtkmorph session>\n"), "names 0 pictures"));
+  EXPECT_TRUE(contains(error("<gtkmorph session>\n<mesh file>\na\n"), "before the first <image>"));
+  EXPECT_TRUE(contains(error("<gtkmorph session>\n<image>\n<mesh file>\n</mesh file>\n"), "the name of a file"));
+  EXPECT_TRUE(contains(error("<gtkmorph session>\n<resulting_size>\n0 5\n"), ":3: <resulting_size> is too small"));
+  std::string cut = kSession;
+  cut.erase(cut.find("<mesh file>\na.mesh"), 19);
+  EXPECT_TRUE(contains(error(cut), "names no picture or no mesh"));
+  EXPECT_TRUE(contains(error(kSession), "a.mesh: ")) << "which is not there";
 }
 
 TEST_F(Import, SidesMustBeAlike) {
@@ -93,7 +170,7 @@ TEST_F(Import, WrongFilesAreRefused) {
     EXPECT_EQ(error.kind(), ErrorKind::kUnsupported);
     EXPECT_TRUE(contains(error.what(), says)) << error.what();
   };
-  usage(input("a.mesh", "b.txt"), "no format has the extension '.txt'; known are .mesh (xmorph)");
+  usage(input("a.mesh", "b.txt"), "no format has the extension '.txt'; known are .mesh (xmorph), .session (gtkmorph)");
   usage(input("a", "b"), "no format has the extension ''");
   usage({{folder_ / "a.mesh"}, {9, 9}, {9, 9}}, "1 files are named; xmorph wants two .mesh files, the source's first");
   usage({{}, {9, 9}, {9, 9}}, "no file is named");
@@ -101,7 +178,7 @@ TEST_F(Import, WrongFilesAreRefused) {
 
 TEST_F(Import, WhatIsExportedComesBack) {
   std::mt19937 random(7);
-  const warp::Mesh source = random_mesh(random, {101, 51});
+  const warp::Mesh source = random_unfolded_mesh(random, {101, 51});
   project_.mesh = project::Mesh{source.columns, source.rows, {source.vertices, {}}, {}};
   project_.groups = {{"g", {}, {}}};
   project_.mesh->groups = {{"g", {{0, 0}}}};

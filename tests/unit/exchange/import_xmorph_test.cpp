@@ -52,11 +52,55 @@ TEST(XmorphMesh, SpellingsOfTheSame) {
   EXPECT_NEAR(parsed(replaced(kXmorphMesh, "515 263", "515.25 263"), {101, 51}).at(1, 1).x, 52.025, 1e-12);
 }
 
-TEST(XmorphMesh, TagsOfGtkmorphAreLeftOut) {
+TEST(XmorphMesh, TagsOfGtkmorphThatSayNothingOfPlacesAreLeftOut) {
   std::vector<std::string> remarks;
-  const std::string tags = "<resulting image size>\n101 51\n<features>\n7 nonsense \xFF\n";
+  const std::string tags = "<SIS>\n<eye>\n7 8\n</eye>\n<eye>\n9 8\n</eye>\n</SIS>\n<features>\n7 nonsense \xFF\n";
   EXPECT_EQ(parsed(kXmorphMesh + tags, {101, 51}, &remarks), parsed(kXmorphMesh, {101, 51}));
-  EXPECT_EQ(remarks, std::vector<std::string>{"a.mesh: the tags from line 12 on are left out"});
+  EXPECT_EQ(remarks, std::vector<std::string>{"a.mesh: left out: \"<eye>\", \"<features>\""});
+}
+
+/// The frame of 101 x 51 shows the part of 201 x 101 at (20, 10) of a picture of 300 x 200.
+TEST(XmorphMesh, LiesOnThePartOfThePictureThatTheTagsName) {
+  std::vector<std::string> remarks;
+  const std::string tags =
+      "<SIS>\n<orig>\n300 200\n</orig>\n<rect>\n20 10 201 101\n</rect>\n</SIS>\n"
+      "<resulting image size>\n101 51\n</resulting image size>\n";
+  const warp::Mesh mesh = parsed(kXmorphMesh + tags, {300, 200}, &remarks);
+  ASSERT_EQ(cv::Size(mesh.columns, mesh.rows), cv::Size(5, 5));
+  EXPECT_EQ(mesh.at(2, 2), cv::Point2d(20 + 2 * 51.5 + 0.5, 10 + 2 * 26.3 + 0.5));
+  EXPECT_EQ(mesh.at(1, 1), cv::Point2d(20.5, 10.5));
+  EXPECT_EQ(mesh.at(3, 3), cv::Point2d(220.5, 110.5));
+  EXPECT_EQ(mesh.at(0, 0), cv::Point2d(0, 0));
+  EXPECT_EQ(mesh.at(4, 4), cv::Point2d(300, 200));
+  EXPECT_EQ(mesh.at(0, 1), cv::Point2d(0, 10.5));
+  EXPECT_EQ(remarks, (std::vector<std::string>{
+                         "a.mesh: lies on the part 201 x 101 at (20, 10) of the picture",
+                         "a.mesh: covers a part of the picture; vertices on the border were added (left, right, top, "
+                         "bottom)"}));
+  // The same picture at half the size.
+  const warp::Mesh half = parsed(kXmorphMesh + tags, {150, 100});
+  EXPECT_NEAR(half.at(2, 2).x, 10 + 51.5 * 99.5 / 100 + 0.5, 1e-9);
+}
+
+TEST(XmorphMesh, TheFrameIsTheResultingSizeAndNotTheLastVertex) {
+  std::string text = kXmorphMesh;
+  text.replace(text.find("1000 500 0"), 10, "800 400 0");
+  const warp::Mesh mesh = parsed(text + "<resulting image size>\n101 51\n", {101, 51});
+  ASSERT_EQ(cv::Size(mesh.columns, mesh.rows), cv::Size(4, 4)) << "a row and a column for the free corner";
+  EXPECT_EQ(mesh.at(2, 2), cv::Point2d(80.5, 40.5));
+  EXPECT_EQ(mesh.at(1, 1), cv::Point2d(52, 26.8));
+}
+
+TEST(XmorphMesh, BadTagsNameTheLine) {
+  const auto error = [](const std::string& tags) {
+    return std::string(error_of([&] { parsed(kXmorphMesh + tags, {101, 51}); }).what());
+  };
+  EXPECT_TRUE(contains(error("<rect>\n1 2 3\n"), "a.mesh:13: expected 4 numbers after <rect>, found \"1 2 3\""))
+      << error("<rect>\n1 2 3\n");
+  EXPECT_TRUE(contains(error("<rect>\n1 2 0 9\n"), "a.mesh:13: <rect> is empty"));
+  EXPECT_TRUE(contains(error("<resulting image size>\n1 99\n"), "a.mesh:13: <resulting image size> is too small"));
+  EXPECT_TRUE(contains(error("<orig>"), "expected 2 numbers after <orig>, found the end of the file"));
+  EXPECT_TRUE(contains(error("<orig>\nnan 5"), "expected 2 numbers"));
 }
 
 TEST(XmorphMesh, IsStretchedToThePicture) {

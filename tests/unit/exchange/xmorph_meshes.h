@@ -44,4 +44,17 @@ inline warp::Mesh random_mesh(std::mt19937& random, cv::Size size) {
   return mesh;
 }
 
+/// Any mesh without folds whose border lies on that of the picture.
+inline warp::Mesh random_unfolded_mesh(std::mt19937& random, cv::Size size) {
+  std::uniform_int_distribution<int> count(2, 12);
+  warp::Mesh mesh = warp::uniform_mesh(count(random), count(random), {{0, 0}, cv::Size2d(size)});
+  std::uniform_real_distribution<double> shift(-0.2, 0.2);
+  for (cv::Point2d& vertex : mesh.vertices) {
+    vertex.x += shift(random) * size.width / mesh.columns;
+    vertex.y += shift(random) * size.height / mesh.rows;
+  }
+  warp::snap_to_outline(mesh, {{0, 0}, cv::Size2d(size)});
+  return mesh;
+}
+
 }  // namespace morphkit::test
