@@ -251,8 +251,8 @@ void print_json(const render::Renderer& renderer, const std::vector<Timing>& tim
 }  // namespace
 
 int run_bench(const BenchOptions& options, Output& output) {
-  Material material = make_material(options);
-  const render::Renderer renderer(std::move(material.project), material.footage);
+  const Material material = make_material(options);
+  const render::Renderer renderer(material.project, material.footage);
   const std::vector<Timing> timings = as_asked([&] { return measure(renderer); });
   options.json ? print_json(renderer, timings, output) : print_text(renderer, timings, output);
   return 0;

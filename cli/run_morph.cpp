@@ -142,10 +142,10 @@ int run_morph(const MorphOptions& options, Output& output) {
   if (options.t && !options.frames.empty()) throw ArgumentError("-t", "is one moment; it does not go with --frames");
   if (options.resume && options.overwrite)
     throw ArgumentError("--resume", "keeps what is there and --overwrite replaces it; choose one");
-  project::Project project = load_project(options.project);
+  const project::Project project = load_project(options.project);
   const job::Pictures pictures = job::load_pictures(project);
   say_what_was_read(project, pictures, output);
-  const render::Renderer renderer(std::move(project), job::footage_of(pictures), {.allow_folds = options.allow_folds});
+  const render::Renderer renderer(project, job::footage_of(pictures), {.allow_folds = options.allow_folds});
   output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
   return as_asked([&] {
     const media::SinkOptions sink = sink_options(options, renderer, pictures);
