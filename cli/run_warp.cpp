@@ -123,7 +123,8 @@ warp::MeshWarp mesh_warp(const WarpOptions& options, const project::Project& set
                          Output& output) {
   const auto [from, to] = read_bend(options, settings, image, size, output);
   require_alike(options, from.mesh, to.mesh);
-  warp::MeshWarp warp(from.mesh, to.mesh, {settings.warp.mesh.spline, settings.warp.mesh.order});
+  warp::MeshWarp warp(from.mesh, to.mesh,
+                      {settings.warp.of<project::MeshMethod>().spline, settings.warp.of<project::MeshMethod>().order});
   const char* const order = render::text_of(warp.order());
   if (!options.allow_folds) {
     render::require_unfolded(from.mesh, "the mesh folds over", from.place);

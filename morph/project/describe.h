@@ -163,9 +163,9 @@ void describe_warp(F& form) {
            "`morph` and `check` then say so"},
       "`\"lines\"`: feature lines after Beier and Neely, 1992; `\"mesh\"`: the mesh, in two passes, after Smythe, "
       "1990");
-  form.part([](auto& project) -> auto& { return project.warp.mesh; });
+  form.part([](auto& project) -> auto& { return project.warp.template of<MeshMethod>(); });
   form.part(&Project::pull);
-  form.part([](auto& project) -> auto& { return project.warp.lines; });
+  form.part([](auto& project) -> auto& { return project.warp.template of<LinesMethod>(); });
   form(
       "filter", [](auto& project) -> auto& { return project.warp.filter; }, {},
       "sampling filter. `\"area\"`, `\"mitchell\"` (softer) and `\"lanczos\"` (sharper, rings at hard edges) average "

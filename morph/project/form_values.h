@@ -1,10 +1,11 @@
 #pragma once
-// The visitor over values alone: inheritance. Internal to morph/project.
+// Visitors over values alone: inheritance, comparison. Internal to morph/project.
 
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "morph/project/form.h"
 
@@ -51,5 +52,22 @@ T with_defaults(T value) {
   describe(form, Of<T>{});
   return value;
 }
+
+/// The names of the keys with different values, in order.
+template <typename Owner>
+class Differing : public Form<Differing<Owner>, Owner> {
+ public:
+  Differing(const Owner& a, const Owner& b, std::vector<std::string_view>& names) : a_(a), b_(b), names_(names) {}
+
+  template <typename AnyCodec, typename Access>
+  void key(std::string_view name, const Access& access, const Facts&, std::string_view) {
+    if (std::invoke(access, a_) != std::invoke(access, b_)) names_.push_back(name);
+  }
+
+ private:
+  const Owner& a_;
+  const Owner& b_;
+  std::vector<std::string_view>& names_;
+};
 
 }  // namespace morphkit::project

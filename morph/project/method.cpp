@@ -1,30 +1,52 @@
 // Which method the document means, and what it says for the others.
 
+#include <functional>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 
 #include <fmt/format.h>
 
+#include "morph/project/describe.h"
+#include "morph/project/form_values.h"
 #include "morph/project/project.h"
 
 namespace morphkit::project {
 namespace {
 
-/// Collects the settings that the method named `method` does not use.
-class Unused {
+/// The names of the keys of `warp` that UsedMethod does not use and that have another value than the default.
+template <typename UsedMethod>
+class Unused : public Form<Unused<UsedMethod>, Project> {
  public:
-  explicit Unused(std::string_view method) : method_(method) {}
+  explicit Unused(const Project& project) : project_(project) {}
 
-  /// "key" of "warp", unless it has its default value.
-  template <typename T>
-  void setting(std::string_view key, const T& value, const T& usual) {
-    if (value == usual) return;
-    sentences_.push_back(fmt::format("\"{}\" of \"warp\" is not used, for the method is {}", key, method_));
+  template <typename AnyCodec, typename Access>
+  void key(std::string_view name, const Access& access, const Facts&, std::string_view) {
+    if (name == "filter" && !UsedMethod::kFilters && std::invoke(access, project_) != std::invoke(access, usual_))
+      names_.push_back(name);
   }
-  std::vector<std::string> take() { return std::move(sentences_); }
+  template <typename Access>
+  void part(const Access& access) {
+    using Part = typename Unused::template Member<Access>;
+    if constexpr (std::is_same_v<Part, Pull>) {
+      if (!UsedMethod::kPulls) add_differing(effective_pull(project_), effective_pull(usual_));
+    } else if constexpr (!std::is_same_v<Part, UsedMethod>) {
+      add_differing(std::invoke(access, project_), std::invoke(access, usual_));
+    }
+  }
+
+  const std::vector<std::string_view>& names() const noexcept { return names_; }
 
  private:
-  std::string_view method_;
-  std::vector<std::string> sentences_;
+  template <typename Part>
+  void add_differing(const Part& value, const Part& usual) {
+    Differing<Part> form(value, usual, names_);
+    describe(form, Of<Part>{});
+  }
+
+  const Project& project_;
+  const Project usual_;
+  std::vector<std::string_view> names_;
 };
 
 }  // namespace
@@ -35,30 +57,28 @@ MethodName method_name_of(const Project& project) {
 }
 
 Method method_of(const Project& project) {
-  if (method_name_of(project) == MethodName::kMesh) return project.warp.mesh;
-  return project.warp.lines;
+  Method result;
+  const MethodName name = method_name_of(project);
+  std::apply(
+      [&](const auto&... settings) {
+        int index = 0;
+        ((index++ == static_cast<int>(name) ? static_cast<void>(result = settings) : void()), ...);
+      },
+      project.warp.settings);
+  return result;
 }
 
 std::vector<std::string> unused_settings(const Project& project) {
-  const Warp& warp = project.warp;
-  const Warp usual;
-  if (method_name_of(project) == MethodName::kLines) {
-    Unused unused("lines");
-    unused.setting("spline", warp.mesh.spline, usual.mesh.spline);
-    unused.setting("order", warp.mesh.order, usual.mesh.order);
-    return unused.take();
-  }
-  const Pull pull = effective_pull(project), usual_pull = effective_pull(Project{});
-  Unused unused("mesh");
-  unused.setting("a", pull.a, usual_pull.a);
-  unused.setting("b", pull.b, usual_pull.b);
-  unused.setting("p", pull.p, usual_pull.p);
-  unused.setting("scale", pull.scale, usual_pull.scale);
-  unused.setting("between", pull.between, usual_pull.between);
-  unused.setting("turns", pull.turns, usual_pull.turns);
-  unused.setting("field", warp.lines.field, usual.lines.field);
-  unused.setting("filter", warp.filter, usual.filter);
-  return unused.take();
+  return std::visit(
+      [&]<typename T>(const T&) {
+        Unused<T> form(project);
+        describe_warp(form);
+        std::vector<std::string> sentences;
+        for (const std::string_view name : form.names())
+          sentences.push_back(fmt::format("\"{}\" of \"warp\" is not used, for the method is {}", name, T::kName));
+        return sentences;
+      },
+      method_of(project));
 }
 
 }  // namespace morphkit::project

@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -108,33 +110,58 @@ struct Mesh {
   bool operator==(const Mesh&) const = default;
 };
 
-enum class MethodName {
-  kLines,  ///< the features pull (Beier and Neely)
-  kMesh    ///< the mesh, in two passes
-};
-
+/// Feature lines pull (Beier and Neely).
 struct LinesMethod {
+  static constexpr std::string_view kName = "lines";
+  static constexpr bool kPulls = true;    ///< uses "a", "b", ... of "warp", see Pull
+  static constexpr bool kFilters = true;  ///< uses "filter" of "warp"
+
   warp::FieldAccuracy field = warp::FieldAccuracy::kAdaptive;
   bool operator==(const LinesMethod&) const = default;
 };
 
+/// The mesh, in two passes, which average what they cover.
 struct MeshMethod {
+  static constexpr std::string_view kName = "mesh";
+  static constexpr bool kPulls = false;
+  static constexpr bool kFilters = false;
+
   warp::MeshSpline spline = warp::MeshSpline::kMonotone;
   warp::PassOrder order = warp::PassOrder::kAuto;
   bool operator==(const MeshMethod&) const = default;
 };
 
-/// How space is bent, with the settings of that method alone: what renders sees this, not Warp.
+/// How space is bent, with the settings of that method alone: what renders sees this, not Warp. To add a method: its
+/// settings here, its keys in describe.h, its plan in render/warper.cpp.
 using Method = std::variant<LinesMethod, MeshMethod>;
+
+/// In the order of Method.
+enum class MethodName { kLines, kMesh };
+
+template <typename>
+struct AllOf;
+template <typename... T>
+struct AllOf<std::variant<T...>> {
+  using Tuple = std::tuple<T...>;
+};
 
 /// What the document says, for every method: also what the present one does not use (see unused_settings).
 struct Warp {
   std::optional<MethodName> method;  ///< nothing: see method_name_of
-  LinesMethod lines;
-  MeshMethod mesh;
-  warp::Filter filter = warp::Filter::kArea;  ///< not used by a mesh, whose passes average what they cover
+  AllOf<Method>::Tuple settings;     ///< of every method
+  warp::Filter filter = warp::Filter::kArea;
   /// nullopt: clamp if the picture covers the canvas, else transparent.
   std::optional<warp::Border> border;
+
+  /// The settings of one method.
+  template <typename T>
+  T& of() {
+    return std::get<T>(settings);
+  }
+  template <typename T>
+  const T& of() const {
+    return std::get<T>(settings);
+  }
   bool operator==(const Warp&) const = default;
 };
 

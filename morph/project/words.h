@@ -2,9 +2,11 @@
 // The choices of the document and the words for them: one table per choice, for files, options, reports and widgets.
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "morph/project/project.h"
 
@@ -19,8 +21,11 @@ struct Words;
 
 template <>
 struct Words<MethodName> {
-  static constexpr auto kTable =
-      std::to_array<Word<MethodName>>({{"lines", MethodName::kLines}, {"mesh", MethodName::kMesh}});
+  static constexpr auto kTable = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    return std::to_array<Word<MethodName>>(
+        {{std::variant_alternative_t<kIndex, Method>::kName, static_cast<MethodName>(kIndex)}...});
+  }
+  (std::make_index_sequence<std::variant_size_v<Method>>());
 };
 
 template <>

@@ -7,6 +7,7 @@
 
 #include "cli/edit/hand/mark_commands.h"
 #include "cli/edit/hand/views.h"
+#include "morph/project/words.h"
 
 namespace morphkit::edit {
 namespace {
@@ -26,8 +27,9 @@ void escape(const ToolContext& context) {
 }
 
 void use_next_method(Document& document) {
-  const bool mesh = document.method() == project::MethodName::kMesh;
-  document.set_method(mesh ? project::MethodName::kLines : project::MethodName::kMesh);
+  const auto& methods = project::Words<project::MethodName>::kTable;
+  const std::size_t next = (static_cast<std::size_t>(document.method()) + 1) % methods.size();
+  document.set_method(methods[next].second);
 }
 
 }  // namespace

@@ -5,7 +5,10 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cli/edit/view/model.h"
+#include "morph/project/words.h"
 
 namespace morphkit::edit {
 namespace {
@@ -134,8 +137,10 @@ void add_tuning(Layout& layout, const Model& model) {
   row.add(TimingKind::kDissolve, "Mix: " + easing_name(document.timing(TimingKind::kDissolve).easing), kEasing);
   row.add(Command::kInherit, "Inherit").enabled = !model.document.selection().features.empty();
   row.gap();
-  const bool mesh = document.method() == project::MethodName::kMesh;
-  row.add(Command::kNextMethod, mesh ? "Warp: mesh" : "Warp: lines", width_of("Warp: lines"));
+  double widest = 0;
+  for (const auto& [word, method] : project::Words<project::MethodName>::kTable)
+    widest = std::max(widest, width_of(fmt::format("Warp: {}", word)));
+  row.add(Command::kNextMethod, fmt::format("Warp: {}", project::word_of(document.method())), widest);
 }
 
 void add_question(Layout& layout, const Model& model) {

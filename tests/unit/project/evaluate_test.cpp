@@ -84,10 +84,10 @@ TEST(Evaluate, VerticesTakeTheWeightsOfTheirGroup) {
 
 TEST(Evaluate, TheMethodComesWithItsSettings) {
   Project project = small_project();
-  project.warp.lines.field = warp::FieldAccuracy::kExact;
+  project.warp.of<LinesMethod>().field = warp::FieldAccuracy::kExact;
   EXPECT_EQ(std::get<LinesMethod>(at(project, 0).method).field, warp::FieldAccuracy::kExact);
   project.warp.method = MethodName::kMesh;
-  project.warp.mesh.order = warp::PassOrder::kColumnsFirst;
+  project.warp.of<MeshMethod>().order = warp::PassOrder::kColumnsFirst;
   EXPECT_EQ(std::get<MeshMethod>(at(project, 0).method).order, warp::PassOrder::kColumnsFirst);
 }
 

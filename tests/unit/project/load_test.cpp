@@ -76,8 +76,8 @@ TEST(Load, AMesh) {
   EXPECT_TRUE(project.mesh->vertices[project::kDestination].empty());
   EXPECT_EQ(project.mesh->groups, (std::vector<MeshGroup>{{"rim", {{0, 0}, {2, 1}}}, {"face", {{1, 0}}}}));
   EXPECT_EQ(project.warp.method, MethodName::kMesh);
-  EXPECT_EQ(project.warp.mesh.spline, warp::MeshSpline::kMonotone);
-  EXPECT_EQ(project.warp.mesh.order, warp::PassOrder::kRowsFirst);
+  EXPECT_EQ(project.warp.of<MeshMethod>().spline, warp::MeshSpline::kMonotone);
+  EXPECT_EQ(project.warp.of<MeshMethod>().order, warp::PassOrder::kRowsFirst);
 }
 
 TEST(Load, TheSmallestProjectHasTheDefaults) {

@@ -18,8 +18,8 @@ Project with_method(MethodName method) {
 
 TEST(Method, HoldsTheSettingsOfItsOwnKindAlone) {
   Project project = with_method(MethodName::kLines);
-  project.warp.lines.field = warp::FieldAccuracy::kExact;
-  project.warp.mesh.spline = warp::MeshSpline::kLinear;
+  project.warp.of<LinesMethod>().field = warp::FieldAccuracy::kExact;
+  project.warp.of<MeshMethod>().spline = warp::MeshSpline::kLinear;
   EXPECT_EQ(method_of(project), Method(LinesMethod{warp::FieldAccuracy::kExact}));
   project.warp.method = MethodName::kMesh;
   EXPECT_EQ(method_of(project), Method(MeshMethod{warp::MeshSpline::kLinear, warp::PassOrder::kAuto}));
@@ -32,21 +32,21 @@ TEST(UnusedSettings, DefaultsAreNotTold) {
 
 TEST(UnusedSettings, OfLinesAreThoseOfTheMesh) {
   Project project = with_method(MethodName::kLines);
-  project.warp.lines.field = warp::FieldAccuracy::kExact;
+  project.warp.of<LinesMethod>().field = warp::FieldAccuracy::kExact;
   project.warp.filter = warp::Filter::kLanczos;
   project.pull.a = 5;
   EXPECT_TRUE(unused_settings(project).empty());
-  project.warp.mesh = {warp::MeshSpline::kLinear, warp::PassOrder::kRowsFirst};
+  project.warp.of<MeshMethod>() = {warp::MeshSpline::kLinear, warp::PassOrder::kRowsFirst};
   EXPECT_EQ(unused_settings(project), (Sentences{"\"spline\" of \"warp\" is not used, for the method is lines",
                                                  "\"order\" of \"warp\" is not used, for the method is lines"}));
 }
 
 TEST(UnusedSettings, OfAMeshAreThoseOfLinesAndTheFilter) {
   Project project = with_method(MethodName::kMesh);
-  project.warp.mesh = {warp::MeshSpline::kLinear, warp::PassOrder::kRowsFirst};
+  project.warp.of<MeshMethod>() = {warp::MeshSpline::kLinear, warp::PassOrder::kRowsFirst};
   EXPECT_TRUE(unused_settings(project).empty());
   project.pull.b = 1;
-  project.warp.lines.field = warp::FieldAccuracy::kExact;
+  project.warp.of<LinesMethod>().field = warp::FieldAccuracy::kExact;
   project.warp.filter = warp::Filter::kLanczos;
   EXPECT_EQ(unused_settings(project), (Sentences{"\"b\" of \"warp\" is not used, for the method is mesh",
                                                  "\"field\" of \"warp\" is not used, for the method is mesh",

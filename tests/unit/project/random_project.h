@@ -233,8 +233,10 @@ class RandomProject {
   project::Warp warp(const project::Project& project) {
     project::Warp warp;
     if (coin()) warp.method = pick({project::MethodName::kLines, project::MethodName::kMesh});
-    warp.mesh.spline = pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
-    warp.mesh.order = pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
+    warp.of<project::MeshMethod>().spline =
+        pick({warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear});
+    warp.of<project::MeshMethod>().order =
+        pick({warp::PassOrder::kAuto, warp::PassOrder::kRowsFirst, warp::PassOrder::kColumnsFirst});
     warp.filter = pick({warp::Filter::kNearest, warp::Filter::kBilinear, warp::Filter::kBicubic, warp::Filter::kArea,
                         warp::Filter::kMitchell, warp::Filter::kLanczos});
     if (coin()) warp.border = pick({warp::Border::kTransparent, warp::Border::kClamp, warp::Border::kMirror});

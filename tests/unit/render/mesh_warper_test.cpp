@@ -57,8 +57,8 @@ TEST(MeshWarper, EndsAreThePicturesBitForBit) {
            {warp::MeshSpline::kMonotone, warp::MeshSpline::kCatmullRom, warp::MeshSpline::kLinear}) {
         const warp::Image a = random_image(kSize, 1, with_alpha), b = random_image(kSize, 2, with_alpha);
         project::Project project = mesh_project();
-        project.warp.mesh.order = order;
-        project.warp.mesh.spline = spline;
+        project.warp.of<project::MeshMethod>().order = order;
+        project.warp.of<project::MeshMethod>().spline = spline;
         const Renderer renderer(project, pictures(a, b, with_alpha));
         EXPECT_TRUE(same_bits(frame_at(renderer, 0), a));
         EXPECT_TRUE(same_bits(frame_at(renderer, 1), b));
