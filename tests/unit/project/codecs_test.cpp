@@ -29,6 +29,12 @@ TEST(Codecs, ValuesOutOfBoundsNameThePlace) {
   for (const Bad& bad : table) expect_bad(bad);
 }
 
+TEST(Codecs, SizesMayReachTheLargestAreaInEitherDirection) {
+  for (const char* size : {"[65536, 16384]", "[16384, 65536]", "[65536, 1]", "[1, 65536]"})
+    EXPECT_NO_THROW(parse(with_output(std::string("\"size\": ") + size), "")) << size;
+  expect_bad({with_output(R"("size": [65536, 16385])"), "/output/size", "more than 1073741824 pixels"});
+}
+
 TEST(Codecs, PlacesAndSizesAreWrittenAsTheyAreRead) {
   const auto text = [](const json::Node& node) { return json::write(node, ""); };
   const Facts one{.least = 1, .most = 1}, two{.least = 2, .most = 2};

@@ -1,3 +1,5 @@
+// Tests cli/edit/hand/toolbox.cpp.
+
 #include "cli/edit/hand/curve_tool.h"
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Tests cli/edit/hand/drag.cpp, cli/edit/hand/box_drag.cpp, cli/edit/hand/line_tool.cpp, cli/edit/hand/point_tool.cpp,
-// cli/edit/hand/select_tool.cpp, cli/edit/hand/tool.cpp, cli/edit/hand/tool_context.cpp and cli/edit/hand/toolbox.cpp.
+// Tests cli/edit/hand/box_drag.cpp, cli/edit/hand/line_tool.cpp, cli/edit/hand/point_tool.cpp,
+// cli/edit/hand/select_tool.cpp, cli/edit/hand/tool.cpp and cli/edit/hand/tool_context.cpp.
 // Whole sessions of the mouse: marking, dragging, selecting, snapping, looking around.
 
 #include "cli/edit/hand/gestures.h"

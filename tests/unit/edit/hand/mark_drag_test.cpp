@@ -1,3 +1,5 @@
+// Tests cli/edit/hand/drag.cpp.
+
 #include "cli/edit/hand/mark_drag.h"
 
 #include <vector>

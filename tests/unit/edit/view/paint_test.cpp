@@ -27,6 +27,7 @@ TEST(Paint, RoundCornersAreLeftOutAndHalfACoverMixes) {
   cv::Mat3b picture(40, 40, kBlack);
   fill(picture, {0, 0, 40, 40}, kRed, 12);
   EXPECT_EQ(picture(0, 0), kBlack);
+  EXPECT_EQ(picture(6, 6), kRed) << "within the radius";
   EXPECT_EQ(picture(0, 20), kRed);
   EXPECT_EQ(picture(20, 20), kRed);
   cv::Mat3b half(9, 9, kBlack);

@@ -20,7 +20,8 @@ TEST(Type, LongerTextIsWider) {
 
 TEST(Type, FittedTextIsWholeOrCutAtACharacter) {
   const Type type;
-  const std::string text = "left eye \u00e4\u00f6\u00fc\u00e4\u00f6\u00fc\u00e4\u00f6\u00fc";
+  // Wider than the sign for a broken character, so that a cut amid one would be the longest that fits.
+  const std::string text = "left eye \u01c4\u01c4\u01c4\u01c4\u01c4\u01c4";
   const int all = type.width(text, kHeight);
   EXPECT_EQ(type.fitted(text, kHeight, all), text);
   const std::string ellipsis = "\u2026";
