@@ -11,6 +11,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/error.h"
 
 namespace morphkit {
@@ -23,24 +24,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestStem = 150;
 
 constexpr mode_t kPermissionBits = 07777;
-
-/// A file descriptor that closes itself; `close` returns whether that succeeded.
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) noexcept : descriptor_(descriptor) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const noexcept { return descriptor_; }
-  bool close() noexcept {
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    return descriptor < 0 || ::close(descriptor) == 0;
-  }
-
- private:
-  int descriptor_;
-};
 
 [[noreturn]] void fail(const std::string& place, const std::string& message) {
   throw Error(ErrorKind::kIo, place, message);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <system_error>
 
@@ -44,6 +45,10 @@ std::string read_file(const std::filesystem::path& file, const char* what, std::
   }
   if (std::ferror(stream.get())) fail_reading(file, errno);
   return text;
+}
+
+std::string read_file(const std::filesystem::path& file, const char* what) {
+  return read_file(file, what, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace morphkit

@@ -13,4 +13,7 @@ namespace morphkit {
 /// @throws Error kIo; kBadInput if it is larger than `most`.
 std::string read_file(const std::filesystem::path& file, const char* what, std::size_t most);
 
+/// The same without a limit: of a file whose contents decide how large it may be.
+std::string read_file(const std::filesystem::path& file, const char* what);
+
 }  // namespace morphkit

@@ -219,7 +219,7 @@ std::vector<PictureMesh> read_xmorph_meshes(std::span<const MeshFile> files, std
     const warp::Mesh& first = meshes.front().mesh;
     if (read.mesh.columns != first.columns || read.mesh.rows != first.rows) {
       throw Error(ErrorKind::kBadInput, name,
-                  fmt::format("a mesh of {} x {} vertices, but {} has {} x {}; both sides need the same",
+                  fmt::format("is a mesh of {} x {} vertices, but {} has {} x {}; both sides need the same",
                               read.mesh.columns, read.mesh.rows, meshes.front().name, first.columns, first.rows));
     }
   }

@@ -47,6 +47,10 @@ struct Picture {
   std::shared_ptr<const Metadata> metadata;
 };
 
+/// For programs of our own, once, before they use pictures: makes OpenImageIO work in the calling thread only (frames
+/// run in parallel) and turns its own limit on sizes off. These are attributes of the process, so a guest leaves them.
+void set_up_process();
+
 /// @throws Error kIo (missing, unreadable, a directory) kBadInput (truncated, too large) or kUnsupported (not an
 /// image).
 ImageInfo read_info(const std::filesystem::path& file);

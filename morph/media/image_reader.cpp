@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/whole_file.h"
 #include "base/words.h"
 #include "morph/media/guard/exr_check.h"
 #include "morph/media/guard/png_check.h"
@@ -55,17 +54,8 @@ std::string drain(const OIIO::ImageInput* input) {
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
-  std::vector<std::uint8_t> bytes(error ? 0 : size);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (error || !stream || bytes.empty()) {
-    throw Error(ErrorKind::kIo, file.string(),
-                "cannot be read: " + std::generic_category().message(errno != 0 ? errno : EIO));
-  }
-  return bytes;
+  const std::string bytes = read_file(file, "picture");
+  return {bytes.begin(), bytes.end()};
 }
 
 /// The transfer function that the file states, if we support it. Rec.709 material is shown on sRGB screens as if it
@@ -134,18 +124,13 @@ OIIO::TypeDesc oiio_type(SampleType type) {
 
 }  // namespace
 
-void init_openimageio() {
-  static const bool done = [] {
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);
-    OIIO::attribute("limits:imagesize_MB", 0);
-    return true;
-  }();
-  static_cast<void>(done);
+void set_up_process() {
+  OIIO::attribute("threads", 1);
+  OIIO::attribute("exr_threads", -1);
+  OIIO::attribute("limits:imagesize_MB", 0);
 }
 
 ImageReader::ImageReader(const fs::path& file) : file_(file), format_(sniff_format(file)) {
-  init_openimageio();
   try {
     if (format_ == "webp") {
       bytes_ = read_bytes(file_);

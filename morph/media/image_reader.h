@@ -15,10 +15,6 @@
 
 namespace morphkit::media {
 
-/// Makes OpenImageIO work in the calling thread only (frames run in parallel) and turns its own limits off. Call before
-/// every use; cheap.
-void init_openimageio();
-
 /// One image of a file: the first part, if there are several. The first bytes decide the format, not the extension.
 class ImageReader {
  public:

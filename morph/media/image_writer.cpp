@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "base/descriptor.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "morph/media/image_file.h"
@@ -147,20 +148,18 @@ OIIO::TypeDesc given_type(SampleType type) {
 class MemoryFile {
  public:
   explicit MemoryFile(const fs::path& shown) : shown_(shown), descriptor_(::memfd_create("morphkit", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) fail();
+    if (descriptor_.get() < 0) fail();
   }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
 
-  std::string name() const { return fmt::format("/proc/self/fd/{}", descriptor_); }
+  std::string name() const { return fmt::format("/proc/self/fd/{}", descriptor_.get()); }
 
   Bytes bytes() const {
-    const off_t size = ::lseek(descriptor_, 0, SEEK_END);
+    const off_t size = ::lseek(descriptor_.get(), 0, SEEK_END);
     if (size < 0) fail();
     Bytes result(static_cast<std::size_t>(size));
     for (std::size_t done = 0; done < result.size();) {
-      const ssize_t got = ::pread(descriptor_, result.data() + done, result.size() - done, static_cast<off_t>(done));
+      const ssize_t got =
+          ::pread(descriptor_.get(), result.data() + done, result.size() - done, static_cast<off_t>(done));
       if (got <= 0) fail();
       done += static_cast<std::size_t>(got);
     }
@@ -174,12 +173,11 @@ class MemoryFile {
   }
 
   fs::path shown_;
-  int descriptor_;
+  Descriptor descriptor_;
 };
 
 Bytes encode_with_oiio(const fs::path& name, const std::string& plugin, const OIIO::ImageSpec& spec,
                        OIIO::TypeDesc type, const void* samples) {
-  init_openimageio();
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
   if (!output) encoder_failed(name, nullptr);
   output->threads(1);

@@ -29,26 +29,6 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int value) : value_(value) {}
-  Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(value_, other.value_);
-    return *this;
-  }
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
-  }
-  int get() const { return value_; }
-  int release() { return std::exchange(value_, -1); }
-
- private:
-  int value_ = -1;
-};
-
 /// Moves a descriptor out of 0..2. It gets such a number when our own standard streams are closed, and then the child's
 /// file actions would overwrite one another.
 Descriptor above_standard(Descriptor descriptor) {
@@ -235,7 +215,7 @@ Process::Process(const std::vector<std::string>& arguments) {
   plan.set_streams(input.read.get(), errors.write.get());
   plan.set_signals();
   pid_ = plan.spawn(arguments);
-  input_ = input.write.release();
+  input_ = std::move(input.write);
 }
 
 Process::~Process() {
@@ -245,7 +225,7 @@ Process::~Process() {
 bool Process::write(std::span<const std::uint8_t> bytes) {
   const SigpipeBlock no_sigpipe;
   while (!bytes.empty()) {
-    const ssize_t put = ::write(input_, bytes.data(), bytes.size());
+    const ssize_t put = ::write(input_.get(), bytes.data(), bytes.size());
     if (put >= 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(put));
     } else if (errno == EPIPE || errno == EBADF) {
@@ -268,7 +248,7 @@ void Process::kill() noexcept {
 }
 
 void Process::reap() noexcept {
-  if (input_ >= 0) ::close(std::exchange(input_, -1));
+  input_.close();
   if (pid_ <= 0) return;
   // Wait without reaping first. While the leader is a zombie, the numbers of its process and group stay reserved, so
   // the programs that it left running can be killed safely.

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/descriptor.h"
+
 namespace morphkit::media {
 
 /// A program started from an argument vector (never through a shell), with a pipe to its standard input. Its standard
@@ -55,8 +57,8 @@ class Process {
 
   void reap() noexcept;
 
-  pid_t pid_ = -1;  ///< -1 once reaped
-  int input_ = -1;  ///< our end of the pipe, -1 once closed
+  pid_t pid_ = -1;    ///< -1 once reaped
+  Descriptor input_;  ///< our end of the pipe
   Exit exit_;
   std::unique_ptr<Drain> drain_;
 };

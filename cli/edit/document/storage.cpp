@@ -3,8 +3,6 @@
 #include <chrono>
 #include <cstdint>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string_view>
 #include <system_error>
@@ -12,6 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/whole_file.h"
 
 namespace morphkit::edit {
 namespace {
@@ -19,9 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<std::string> text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text;
+  try {
+    text = read_file(file, "project");
+  } catch (const Error&) {
+    return std::nullopt;
+  }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
