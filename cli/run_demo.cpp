@@ -57,9 +57,17 @@ void say_what_is_next(const std::filesystem::path& project_file, Output& output)
   output.line("  and with two pictures of your own: morphkit edit a.jpg b.jpg");
 }
 
+std::filesystem::path write_sample(const samples::Sample& sample, const DemoOptions& options) {
+  try {
+    return samples::write(sample, options.folder, options.overwrite);
+  } catch (const samples::ChangedFile& error) {
+    throw Error(error.kind(), error.place(), error.message() + "; -y replaces it, -o writes into another folder");
+  }
+}
+
 std::filesystem::path demo_one(const std::string& name, const DemoOptions& options, bool video, Output& output) {
   const samples::Sample sample = samples::paint(name);
-  std::filesystem::path project_file = samples::write(sample, options.folder, options.overwrite);
+  std::filesystem::path project_file = write_sample(sample, options);
   MorphOptions morph;
   morph.project.inputs = {project_file};
   morph.output = options.folder / (name + (video ? ".mp4" : ".####.png"));

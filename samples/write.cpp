@@ -1,13 +1,12 @@
 #include "samples/write.h"
 
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/whole_file.h"
 #include "morph/media/image_file.h"
 #include "warp/image/color.h"
 #include "warp/image/compare.h"
@@ -17,11 +16,6 @@ namespace {
 
 /// Far below one step of an 8-bit file: a smaller difference is the same picture.
 constexpr double kSamePicture = 1e-4;
-
-[[noreturn]] void fail_changed(const std::filesystem::path& file) {
-  throw Error(ErrorKind::kIo, file.string(),
-              "exists and is not what the demo writes; -y replaces it, -o writes into another folder");
-}
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -42,7 +36,7 @@ void write_picture(const PaintedPicture& picture, const std::filesystem::path& f
   const std::filesystem::path file = folder / picture.name;
   const warp::Image image = image_of(picture);
   if (!overwrite && std::filesystem::exists(file)) {
-    if (!holds_picture(file, image)) fail_changed(file);
+    if (!holds_picture(file, image)) throw ChangedFile(file.string());
     return;
   }
   media::WriteOptions options;
@@ -53,9 +47,7 @@ void write_picture(const PaintedPicture& picture, const std::filesystem::path& f
 
 void write_project(const std::string& text, const std::filesystem::path& file, bool overwrite) {
   if (!overwrite && std::filesystem::exists(file)) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string there{std::istreambuf_iterator<char>(stream), {}};
-    if (there != text) fail_changed(file);
+    if (read_file(file, "project") != text) throw ChangedFile(file.string());
     return;
   }
   write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, overwrite);
