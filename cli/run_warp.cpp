@@ -47,7 +47,11 @@ project::Project settings_of(const WarpOptions& options) {
   project.warp.method = project::MethodName::kMesh;
   project.pull = {};
   project.output = {};
+  const std::optional<project::Mesh> mesh = project.mesh;
   apply_changes(options.changes, project);
+  if (!is_project(options.mesh) && project.mesh != mesh)
+    throw ArgumentError("--set",
+                        fmt::format("the mesh is that of {}; expected a key of warp or output", options.mesh.string()));
   return project;
 }
 

@@ -103,6 +103,8 @@ TEST_F(Warp, SetChangesTheProjectThatTheMeshComesFrom) {
   EXPECT_TRUE(
       warp::compare(read("a.exr"), bent("even.exr", {"--mesh", "pair.json", "--set", "mesh.destination=uniform"}))
           .identical());
+  expect_failure({"warp", "a.exr", "--mesh", "bent.mesh", "-o", "no.exr", "--set", "mesh.size=[3, 3]"}, 2,
+                 "the mesh is that of bent.mesh");
   const RunResult unused = run({"warp", "a.exr", "--mesh", "bent.mesh", "-o", "unused.exr", "--set", "warp.b=1"});
   EXPECT_NE(unused.err.find("\"b\" of \"warp\" is not used"), std::string::npos) << unused.err;
 }
