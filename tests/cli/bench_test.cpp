@@ -53,6 +53,10 @@ TEST(Bench, AMeshIsMeasuredAsAWholeFrame) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(contains(result.out, "whole frame")) << result.out;
   for (const char* part : {"  field", "sampling", "dissolve"}) EXPECT_FALSE(contains(result.out, part)) << result.out;
+  const RunResult folded = run_morphkit(
+      {"bench", (folder / "pair.json").string(), "--set", "mesh.size=[3, 3]", "--set",
+       "mesh.source=[[0, 0], [40, 0], [80, 0], [0, 30], [81, 30], [80, 30], [0, 60], [40, 60], [80, 60]]"});
+  EXPECT_EQ(folded.exit_code, 0) << folded.err;
 }
 
 TEST(Bench, WhatCannotBeMeantIsRefused) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/error.h"
 #include "cli/edit/document/document.h"
 #include "morph/render/warper.h"
 #include "warp/mesh/mesh.h"
@@ -36,7 +37,7 @@ class Carrier {
     try {
       plan_ = render::make_plan(project, moments, stage, true);
       warper_ = plan_->at(moments.at(moments.clock().at(0)));
-    } catch (const std::exception&) {
+    } catch (const Error&) {  // a mesh that does not fit its pictures
       warper_.reset();
     }
   }
