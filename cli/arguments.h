@@ -1,5 +1,5 @@
 #pragma once
-// Arguments of several commands that are no keys of a project.
+// Arguments shared by several commands that are not keys of a project.
 
 #include <string>
 
@@ -7,11 +7,11 @@
 
 namespace morphkit::cli {
 
-/// "1280x720". @param option  that says it, for the message.
-/// @throws ArgumentError if it is no size, or a larger one than a project may ask for.
+/// Parses "1280x720". @param option  its name, for the message.
+/// @throws ArgumentError if it is not a size or exceeds the limit of a project.
 cv::Size parse_size(const std::string& text, const std::string& option);
 
-/// @throws ArgumentError unless t lies in [0, 1]; NaN, which the parser lets pass, does not.
+/// @throws ArgumentError unless t is in [0, 1]; also for NaN, which the parser accepts.
 void require_moment(double t);
 
 }  // namespace morphkit::cli

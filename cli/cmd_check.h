@@ -1,5 +1,5 @@
 #pragma once
-// morphkit check PROJECT: what will tear, fold or be lost, before anybody renders it.
+// morphkit check PROJECT: what will tear, fold or be lost, before it is rendered.
 
 #include "cli/project_argument.h"
 

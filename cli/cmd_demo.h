@@ -21,7 +21,7 @@ struct DemoOptions {
 
 void add_demo(CommandLine& line, Session& session);
 
-/// Paints and renders; `list` is not its work. @throws ArgumentError for an unknown sample; kIo if files cannot be
+/// Paints and renders; does not handle `list`. @throws ArgumentError for an unknown sample; kIo if files cannot be
 /// written, or a picture or project of the sample exists with other contents and `overwrite` is off. A rendered demo is
 /// always replaced.
 int run_demo(const DemoOptions& options, Output& output);

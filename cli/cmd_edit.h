@@ -25,8 +25,8 @@ void add_edit(CommandLine& line, Session& session);
 int run_edit(const EditOptions& options, Output& output);
 
 /// The project that is to be edited, with the file that it is saved to. For two pictures A and B that is `output`, or
-/// "A-B.json" of their names without extensions in the current directory; if there is such a file and it names the same
-/// pictures, it is gone on with.
+/// "A-B.json" of their names without extensions in the current directory; an existing file that names the same pictures
+/// is continued.
 /// @throws ArgumentError if that file is of other pictures, and as project::load.
 project::Project project_to_edit(const EditOptions& options);
 

@@ -13,10 +13,10 @@
 namespace morphkit::cli {
 namespace {
 
-/// What cannot be told without the picture libraries.
+/// The part that needs the picture libraries.
 struct NeedsLibraries {};
 
-/// Tells about one project if that needs no picture library; nothing, and prints nothing, if it does.
+/// Describes a project if that needs no picture library; otherwise returns nothing and prints nothing.
 std::optional<int> run_quickly(const InfoOptions& options, Output& output) {
   if (options.files.size() != 1 || !is_project(options.files[0])) return std::nullopt;
   const auto size_of = [](const std::filesystem::path& picture) {

@@ -23,10 +23,10 @@ struct InfoOptions {
 
 void add_info(CommandLine& line, Session& session);
 
-/// Tells about a file. @throws Error.
+/// Describes a file. @throws Error.
 using InfoReader = std::function<FileInfo(const std::filesystem::path& file)>;
 
-/// Tells about every file; one that cannot be read is reported and the others still told about.
+/// Describes every file. One that cannot be read is reported, and the others are still described.
 /// @return 0, or the code of the first error.
 int tell(const InfoOptions& options, const InfoReader& info_of, Output& output);
 

@@ -35,14 +35,14 @@ void add_morph(CommandLine& line, Session& session);
 /// @return the exit code.
 int run_morph(const MorphOptions& options, Output& output);
 
-/// Tells of pixels that are NaN or infinite, if there are any.
+/// Warns of pixels that are NaN or infinite.
 void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);
 void warn_of_nonfinite(const project::Project& project, const job::Pictures& pictures, Output& output);
 
 /// Warns of every setting that the project's method does not use.
 void warn_of_unused_settings(const project::Project& project, Output& output);
 
-/// What to say of a project whose mesh is not used; empty if there is nothing to say.
+/// A note about a mesh that is not used; empty if there is none.
 std::string unused_mesh_note(const project::Project& project);
 
 }  // namespace morphkit::cli

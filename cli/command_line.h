@@ -80,12 +80,12 @@ class Options {
   CLI::App* app_;
 };
 
-/// The command line does not say what the program could do. what(): the message.
+/// The command line cannot be understood. what(): the message.
 class UsageError : public std::runtime_error {
  public:
   UsageError(const std::string& message, std::string command)
       : std::runtime_error(message), command_(std::move(command)) {}
-  /// Whose help tells more: "morphkit morph".
+  /// The command whose help explains more: "morphkit morph".
   const std::string& command() const { return command_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The exit codes of the program, as docs/commands.md tells them, and what becomes which.
+// The exit codes of the program (docs/commands.md), and which error becomes which code.
 
 #include <string>
 #include <utility>
@@ -13,13 +13,13 @@ inline constexpr int kExitFailed = 1;
 inline constexpr int kExitUsage = 2;
 inline constexpr int kExitBadInput = 3;
 inline constexpr int kExitIo = 4;
-/// A command found a difference, or a fault in what it was asked to judge.
+/// A command found a difference, or a fault in the input that it checks.
 inline constexpr int kExitDifference = 5;
 inline constexpr int kExitInterrupted = 130;
 
 int exit_code_of(ErrorKind kind) noexcept;
 
-/// An argument that can be parsed and that the command cannot follow: wrong usage, exit code 2.
+/// An argument that parses but cannot be followed: wrong usage, exit code 2.
 class ArgumentError : public Error {
  public:
   /// @param argument  the option or file that is wrong.
@@ -27,8 +27,8 @@ class ArgumentError : public Error {
       : Error(ErrorKind::kBadInput, std::move(argument), std::move(message)) {}
 };
 
-/// Does what the arguments ask of the libraries. What these do not support, such as an output of an unknown kind, is
-/// then wrong usage. Not for reading: an input that is not supported is bad input.
+/// Runs work that the arguments asked for. If a library does not support it (an unknown output format), that is wrong
+/// usage. Not for reading: an unsupported input is bad input.
 /// @throws ArgumentError in place of an Error kUnsupported.
 template <typename Work>
 decltype(auto) as_asked(const Work& work) {

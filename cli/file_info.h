@@ -24,7 +24,7 @@ FileInfo picture_info(const std::filesystem::path& file, bool pixels);
 /// Tells the size of a picture file, px, as it stands upright.
 using SizeReader = std::function<cv::Size(const std::filesystem::path& file)>;
 
-/// @throws Error as load_project. A picture of the project that cannot be read is told, not thrown.
+/// @throws Error as load_project. A picture of the project that cannot be read is reported, not thrown.
 FileInfo project_info(const std::filesystem::path& file, const ProjectChanges& changes, const SizeReader& size_of);
 
 }  // namespace morphkit::cli

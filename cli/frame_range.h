@@ -8,7 +8,7 @@ namespace morphkit::cli {
 
 /// Frame numbers of a range, rising, each once: a list, separated by commas, of "n", "first-last", "first-" (to the
 /// last frame there is), each range with "xSTEP" if not every frame is wanted (counted from its first).
-/// @param first, last  the frames that exist; numbers outside are an error, so that no frame is lost silently.
+/// @param first, last  the frames that exist; numbers outside are an error, so no frame is lost silently.
 /// @throws ArgumentError, naming the part that is wrong and what would be right.
 std::vector<int> parse_frame_range(const std::string& text, int first, int last);
 

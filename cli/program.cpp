@@ -88,7 +88,7 @@ int parse_and_run(int argc, const char* const* argv, const Works* works, Output&
 }
 
 /// A standard stream that the caller has closed would hand its number to the first file that is opened, and messages
-/// would end up in a picture. Its place is taken by something that nothing can be written to.
+/// would end up in a picture. A descriptor that cannot be written takes its place.
 void hold_standard_streams() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) == -1) open("/dev/null", O_RDONLY | O_NOCTTY);

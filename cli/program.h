@@ -1,5 +1,5 @@
 #pragma once
-// The program: its commands, and how what happens becomes messages and an exit code.
+// The program: its commands, and how results and errors become messages and an exit code.
 
 #include "cli/command_shape.h"
 

@@ -44,12 +44,12 @@ void declare_project(Options& command, ProjectArgument& argument, const std::vec
 /// value; `project` is then unchanged.
 void apply_changes(const ProjectChanges& changes, project::Project& project);
 
-/// Whether a file is a project, where a picture or a mesh may stand as well: *.json.
+/// Whether an argument that may be a picture or a mesh is a project: *.json.
 bool is_project(const std::filesystem::path& file);
 
 /// `picture` as `project`, a file, names it: both are given from the current directory, and the path begins at the
-/// folder of the project. Links among the folders are followed, as whoever opens the path will do; a link that is the
-/// picture itself keeps its name.
+/// folder of the project. Links among the folders are followed, as opening the path does; a link to the picture
+/// itself keeps its name.
 std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture);
 
 /// The project that a command's argument names, changed.

@@ -73,7 +73,7 @@ double elapsed_ms(const std::function<void()>& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The median of at least five runs, more of what is quick. The first one, which fetches memory, does not count.
+/// The median of at least five runs, of more if they are quick. The first run does not count: it fetches memory.
 double median_ms(const std::function<void()>& work) {
   constexpr std::size_t kFewest = 5, kMost = 51;
   constexpr double kEnoughMs = 800;
@@ -88,7 +88,7 @@ double median_ms(const std::function<void()>& work) {
   return *middle;
 }
 
-/// Soft shapes with the noise of a camera: what codecs are given by photographs.
+/// Soft shapes with camera noise: as hard for codecs as photographs.
 warp::Image painted(cv::Size size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(0, 1);
@@ -106,7 +106,7 @@ warp::Image painted(cv::Size size, unsigned seed) {
   return image;
 }
 
-/// Lines of 40 to 200 px whose ends move by up to 20 px: what people draw on a face.
+/// Lines of 40 to 200 px whose ends move by up to 20 px, as people draw them on a face.
 void add_random_lines(int lines, cv::Size size, project::Project& project) {
   std::mt19937 random(kSeed);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };

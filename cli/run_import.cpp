@@ -18,7 +18,7 @@ cv::Size picture_size(const std::filesystem::path& picture) {
   return {info.width, info.height};
 }
 
-/// What the project now has.
+/// Describes the project's content.
 std::string summary(const project::Project& project) {
   std::string text;
   if (project.mesh) text = fmt::format("a mesh of {} x {} vertices", project.mesh->columns, project.mesh->rows);

@@ -42,7 +42,7 @@ media::SinkOptions sink_options(const MorphOptions& options, const render::Rende
   sink.image.depth = media::depth_from(options.depth);
   sink.image.compression = options.compression;
   sink.preset = options.preset;
-  // Resuming replaces what stands under a frame's name and is no frame.
+  // Resuming replaces files that have a frame's name but are not frames.
   sink.image.overwrite = options.overwrite || options.resume;
   if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
   return sink;

@@ -21,7 +21,7 @@
 namespace morphkit::cli {
 namespace {
 
-/// A mesh with what to call it in messages.
+/// A mesh with its name for messages.
 struct NamedMesh {
   warp::Mesh mesh;
   std::string place;  ///< see render::require_unfolded
@@ -32,8 +32,8 @@ project::Project with_mesh(project::Project project) {
   return project;
 }
 
-/// What the command line says of the bend, as changes of the project that --mesh names. Another mesh gets a project
-/// for that. What the project itself says of its morph is for two pictures and does not count here.
+/// The settings of the command line, as changes of the project that --mesh names, or of a new one for another mesh. The
+/// project's own settings of its morph are for two pictures and do not count.
 project::Project settings_of(const WarpOptions& options) {
   project::Project project;
   if (is_project(options.mesh)) {
@@ -122,7 +122,7 @@ void require_free(const WarpOptions& options) {
     if (!options.overwrite && !file.empty() && std::filesystem::exists(file)) throw FileExists(file.string());
 }
 
-/// The bend, with what there is to say about it. @throws Error if a mesh folds and must not.
+/// The warp; prints its notes and warnings. @throws Error if a mesh folds without --allow-folds.
 warp::MeshWarp mesh_warp(const WarpOptions& options, const project::Project& settings, cv::Size image, cv::Size size,
                          Output& output) {
   const auto [from, to] = read_bend(options, settings, image, size, output);
@@ -164,7 +164,7 @@ int run_warp(const WarpOptions& options, Output& output) {
   write.overwrite = options.overwrite;
   write.metadata = picture.metadata;
   if (options.quality >= 0) write.quality = options.quality;
-  // A mesh reaches the borders of both images, so the edge goes on where rounding leaves a gap.
+  // A mesh reaches the borders of both images, so the edge colour fills gaps of rounding.
   const warp::Image between = warp.first_pass(picture.image, size, warp::Border::kClamp);
   stop_if_interrupted("nothing was written");
   const warp::Image bent = warp.second_pass(between, size, warp::Border::kClamp);

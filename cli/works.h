@@ -1,6 +1,6 @@
 #pragma once
-// Two programs are one: `morphkit` understands the command line and links no picture library, so that help, messages
-// and the shell's completion come at once; it hands over to `morphkit-render`, the same command line with all libraries
+// Two programs are one: `morphkit` understands the command line and links no picture library, so help, messages
+// and completion come at once. It hands over to `morphkit-render`, the same command line with all libraries
 // (OpenImageIO, OpenCV's windows and what they bring: 270 shared libraries, 0.4 s to load) for the commands below.
 
 #include <functional>
@@ -24,8 +24,8 @@ struct WarpOptions;
 
 /// The work of the commands that need pictures or a window.
 struct Works {
-  /// Does one of the works below with the threads that are asked for. OpenCV's exceptions become std::bad_alloc or stay
-  /// what they are to everybody, a std::exception.
+  /// Runs one of the works below with the requested number of threads. Out-of-memory errors of OpenCV become
+  /// std::bad_alloc; its other exceptions pass.
   int (*run)(const CommonOptions& common, const std::function<int()>& work);
 
   int (*bench)(const BenchOptions&, Output&);
@@ -44,11 +44,11 @@ struct Works {
 /// All of them. Only the program that links the libraries may call it.
 const Works& all_works();
 
-/// Becomes morphkit-render, which lies at a fixed place relative to this program, with the same command line.
+/// Replaces this process by morphkit-render, at a fixed path relative to this program, with the same command line.
 /// @throws Error kFailed if it cannot be started; does not return otherwise.
 [[noreturn]] void become_renderer(const char* const* argv);
 
-/// What a command does: its work where that is linked, else the program that has it.
+/// The action of a command: its work if that is linked, else the program that has it.
 template <typename T>
 Action work_of(const Session& session, int (*Works::*work)(const T&, Output&), std::shared_ptr<T> options) {
   return [&session, work, options](Output& output) {

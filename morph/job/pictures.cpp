@@ -18,7 +18,7 @@ media::Picture load(const project::Project& project, const project::Picture& sid
 }  // namespace
 
 Pictures load_pictures(const project::Project& project) {
-  // Reading a picture is the work of one thread; two pictures are that of two.
+  // Each picture is read by a thread of its own.
   std::vector<std::future<media::Picture>> loading;
   for (const project::Picture& side : project.pictures)
     loading.push_back(std::async(std::launch::async, [&, workers = Workers::current()] {

@@ -14,7 +14,7 @@
 namespace morphkit::job {
 namespace {
 
-/// What the frames in the making may take together: a sixteenth of the machine's memory, but enough for ten 1080p
+/// The memory limit of all unfinished frames together: a sixteenth of the machine's memory, but enough for ten 1080p
 /// frames.
 std::size_t frame_memory_bytes() {
   constexpr std::size_t kLeast = std::size_t{512} << 20;

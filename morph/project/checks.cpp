@@ -66,7 +66,7 @@ void check_groups(const json::Cursor& root, const Project& project) {
   }
 }
 
-/// What warp and mesh must agree on.
+/// Checks that warp and mesh agree.
 void check_method(const json::Cursor& root, const Project& project) {
   // The setting may come from elsewhere than this document (read_features_over).
   const auto place = [&](const char* key) {

@@ -94,7 +94,7 @@ struct Codec<T> {
   }
 };
 
-/// What may be left open.
+/// An optional value.
 template <typename T>
 requires(!Worded<std::optional<T>>) struct Codec<std::optional<T>> {
   static constexpr bool kSpellings = requires { Codec<T>::kSpellings; };

@@ -11,8 +11,8 @@
 
 namespace morphkit::project {
 
-/// Reads the keys of the object at `at` into `value`; what is not there stays as it is.
-/// @param demanding  whether keys that are needed must be there.
+/// Reads the keys of the object at `at` into `value`; missing keys leave their members unchanged.
+/// @param demanding  whether a missing required key is an error.
 template <typename Owner>
 class Reader : public Form<Reader<Owner>, Owner> {
  public:

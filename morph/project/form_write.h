@@ -13,7 +13,7 @@
 
 namespace morphkit::project {
 
-/// Whether there is nothing to write, also where all defaults are wanted: what is not given.
+/// Whether a value is not given: then nothing is written, even if all defaults are wanted.
 template <typename T>
 bool is_nothing(const T&) {
   return false;

@@ -1,4 +1,4 @@
-// Which method the document means, and what it says for the others.
+// The method of the document, and the settings that it does not use.
 
 #include <functional>
 #include <string_view>

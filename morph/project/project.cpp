@@ -8,7 +8,7 @@
 namespace morphkit::project {
 namespace {
 
-/// What `member` of the group says; nothing if there is no such group.
+/// The group's `member`; nothing if there is no such group.
 template <typename T>
 T of_group(const Project& project, const std::string& group, T Group::*member) {
   if (group.empty()) return {};

@@ -38,7 +38,7 @@ void read_features_over(Project& project, const json::Document& document) {
   result.mesh.reset();
   read_object(root, result, kWhole<Project>, false);
   check_document(root, result);
-  // Pictures and output are not taken over but checked all the same: a file is good or bad whatever it is used for.
+  // Pictures and output are checked, although they are not used: whether a file is valid must not depend on its use.
   result.pictures = project.pictures;
   result.output = project.output;
   project = std::move(result);

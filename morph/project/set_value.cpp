@@ -23,7 +23,7 @@ namespace {
 using json::Kind;
 using json::Node;
 
-/// VALUE is JSON; what is no JSON is a string.
+/// VALUE is JSON; anything else is a string.
 Node value_of(std::string_view text) {
   try {
     return json::parse(std::string(text), "value");
@@ -51,7 +51,7 @@ struct Place {
   Node* brief;
   const Node* full;  ///< nothing where the document says nothing
 
-  /// An object written as a word alone, such as an easing, becomes the object that says no more.
+  /// An object written as a single word, such as an easing, becomes an object with that word alone.
   void open() const {
     if (!brief->is(Kind::kString) || !full || !full->is(Kind::kObject)) return;
     Node object = Node::object();

@@ -9,15 +9,15 @@
 
 namespace morphkit::project {
 
-/// A key and what it is to be.
+/// A key and its new value.
 struct Setting {
   /// The address: `warp.b`, `output.size`, `features/nose.point.source`, `groups/hair.transition.shape`. Dots walk
   /// keys, "/" enters a list by id.
   std::string path;
-  std::string value;  ///< JSON; what is not JSON is taken as a string: `lanczos`
+  std::string value;  ///< JSON; anything else is taken as a string: `lanczos`
 };
 
-/// Sets keys, in order. They need to fit together in the end only: one may need another that comes later.
+/// Sets keys, in order. Only the result must be consistent: a setting may depend on a later one.
 /// @throws Error kBadInput with the place `path` and the message that a file would get: an unknown key with the nearest
 ///         one, a value out of range with the range. `project` is then unchanged.
 /// Cost: writing and reading the document once; once per setting if one continues another (or is wrong).

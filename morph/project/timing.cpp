@@ -142,7 +142,7 @@ void describe(F& form, Of<KeysEase>) {
           {.needed = "the easing \"keys\" wants its keys, e.g. [[0, 0], [0.4, 0.9], [1, 1]]"},
           "`[time, progress]` or `[time, progress, speed]`; times rise from 0 to 1");
 }
-/// What all easings have.
+/// Keys of all easings.
 template <typename F>
 void describe(F& form, Of<Timing>) {
   form("delay", &Timing::delay, {.least = 0, .most = 1},

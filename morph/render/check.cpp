@@ -25,7 +25,7 @@ std::pair<double, double> severity(const Finding& finding) {
   }
 }
 
-/// Lines on their way past each other cross somewhere in between: only what crosses half way is worth telling.
+/// Lines that move past each other cross somewhere in between: only crossings half way are reported.
 bool is_told(const Finding& finding) {
   return finding.kind != Kind::kCrossing || finding.where != kInBetween || finding.t == 0.5;
 }
@@ -60,7 +60,7 @@ std::vector<Finding> check(const Renderer& renderer) {
   for (const double t : kMoments)
     for (Finding& finding : renderer.warper(renderer.clock().at(t))->problems()) {
       if (!is_told(finding)) continue;
-      // What lies nearest to a fold changes on the way.
+      // The marks nearest to a fold change over time.
       const auto features = finding.kind == Kind::kFold ? std::vector<std::string>() : finding.features;
       const auto [place, is_new] = known.try_emplace({finding.kind, finding.where, features}, findings.size());
       if (is_new) {

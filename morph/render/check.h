@@ -1,5 +1,5 @@
 #pragma once
-// Lint for a morph: what will tear, fold or be lost, found before anybody renders it.
+// Lint for a morph: finds what will tear, fold or be lost before it is rendered.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace morphkit::render {
 
-/// The problems of kMoments, each once, as it is at its worst. Cost: five times Warper::problems().
+/// The problems at kMoments; of equal ones, the worst. Cost: five times Warper::problems().
 std::vector<Finding> check(const Renderer& renderer);
 
 }  // namespace morphkit::render

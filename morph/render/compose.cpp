@@ -16,10 +16,10 @@ std::span<warp::Pixel> row_of(warp::Image& image, int y) {
   return {image[y], static_cast<std::size_t>(image.cols)};
 }
 
-/// What the pixels of a row take of each picture but the first: one value each if all pixels take alike.
+/// The weights of each picture but the first along a row: one value if all pixels are alike.
 using WeightRows = std::vector<std::span<const float>>;
 
-/// What they take of the picture `side` in a mix of it and those before it. @pre side > 0. @param scratch  may hold it.
+/// The weights of the picture `side` in a mix with those before it. @pre side > 0. @param scratch  may hold it.
 std::span<const float> shares(SideIndex side, const WeightRows& weights, std::vector<float>& scratch) {
   if (side == weights.size()) return weights.back();
   scratch.resize(weights.front().size());

@@ -8,7 +8,7 @@
 
 namespace morphkit::render {
 
-/// All pictures of a moment warped and mixed, on the canvas or the view that the stage has; nothing behind them.
+/// All pictures of a moment, warped and mixed, without a background, on the stage's canvas or view.
 /// Parallel over bands; one fused pass per band where the method samples.
 warp::Image compose(const Stage& stage, const Warper& warper, warp::Filter filter, project::Blend blend);
 

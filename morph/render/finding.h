@@ -20,7 +20,7 @@ struct Finding {
     kBottleneck      ///< between the passes of the mesh warp the picture is squeezed
   };
   Kind kind = Kind::kCrossing;
-  bool warning = true;                ///< false: a note, worth knowing and no defect
+  bool warning = true;                ///< false: a note, information, not a defect
   std::string where;                  ///< "source", "destination" or "in between"
   std::vector<std::string> features;  ///< ids concerned; for a fold the nearest ones
   std::vector<cv::Point> vertices;    ///< of the mesh concerned, (column, row)
@@ -32,7 +32,7 @@ struct Finding {
   std::string message;                ///< one sentence for people
 };
 
-/// Finding::where of what is wrong on the way.
+/// Finding::where of a problem between the pictures.
 inline constexpr const char* kInBetween = "in between";
 
 /// The name of a kind in reports: "crossing", "twins", "outside-image", "outside-canvas", "fold",

@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of a project as rendering needs them. Who opens them is no affair of this folder: morph/job reads files,
+// The pictures of a project as rendering needs them. This folder does not open them: morph/job reads files,
 // the editor keeps pyramids, a program may paint in memory.
 
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace morphkit::render {
 
-/// One picture: its own size and, for a number of px that its pixel is to be shown at, what to start from: the picture,
-/// or a smaller copy that is still at least as large as shown. Linear, premultiplied.
+/// One picture: its own size, and a copy to start from for a given display scale: the picture itself, or a smaller copy
+/// that is still at least as large as shown. Linear, premultiplied.
 struct FootagePicture {
   cv::Size size;
   std::function<warp::Image(double scale)> at;
   bool has_alpha = false;  ///< whether a pixel may be transparent
 };
 
-/// A picture that is there in one size. Its pixels are shared, not copied.
+/// A picture in one size. Its pixels are shared, not copied.
 inline FootagePicture in_memory(const warp::Image& image, bool has_alpha = false) {
   return {image.size(), [image](double) { return image; }, has_alpha};
 }

@@ -23,7 +23,7 @@ struct FeatureLine {
 std::vector<FeatureLine> feature_lines(const std::vector<project::MomentFeature>& features,
                                        std::span<const Placement> placements, double unit = 1);
 
-/// The mean of a line's sides. A side with all the weight gives its line bit for bit.
+/// The mean of a line's sides; exactly the line of a side that has all the weight.
 /// @param feature  that the line belongs to. @param weights  of the sides; they sum to 1.
 warp::Line between(const FeatureLine& line, const project::MomentFeature& feature, std::span<const double> weights);
 

@@ -26,7 +26,7 @@ double distance(cv::Point2d a, cv::Point2d b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// Where two segments cross in the inside of both; touching ends are no crossing.
+/// The interior crossing of two segments; touching ends do not count.
 std::optional<cv::Point2d> crossing(const warp::Line& a, const warp::Line& b) {
   const cv::Point2d da = a.q - a.p, db = b.q - b.p;
   const double denominator = cross(da, db);

@@ -28,8 +28,8 @@ class LineWarper : public Warper {
   std::vector<warp::FieldLine> lines_about(cv::Point2d centre, SideIndex from, SideIndex to) const;
 
   Lines lines_;
-  /// The first one spreads the weights of the last picture; where these are not alike everywhere, one more spreads
-  /// those of each picture between the first and the last.
+  /// The first one interpolates the weights of the last picture. If the weights vary over the frame, one more field per
+  /// picture between the first and the last interpolates that picture's weights.
   std::vector<warp::LineField> fields_;
   warp::FieldAccuracy accuracy_;
 };

@@ -12,7 +12,7 @@ namespace morphkit::render {
 /// Vertices out of order on the pictures and in between.
 std::vector<Finding> mesh_folds(const std::vector<MeshSide>& sides, const warp::Mesh& between, double t);
 
-/// Where the passes squeeze a picture that goes onto the in-between mesh; nothing if that is not seen.
+/// Where the passes squeeze a picture on its way to the in-between mesh; nothing if that is not visible.
 std::optional<Finding> bottleneck(SideIndex side, const MeshPasses& passes);
 
 /// The vertex that is nearest to a position.

@@ -19,7 +19,7 @@
 namespace morphkit::render {
 namespace {
 
-/// The colour of the edge goes on only if both pictures fill the canvas: if one does not, the outline in between does
+/// The edge colour continues only if both pictures fill the canvas: if one does not, the outline in between does
 /// not either.
 warp::Border border_of(const project::Project& project, const Stage& stage) {
   if (project.warp.border) return *project.warp.border;

@@ -15,8 +15,7 @@
 
 namespace morphkit::render {
 
-/// How one picture goes onto the in-between mesh in one order, at its worst over those of kMoments at which it
-/// shows.
+/// How one picture is warped to the in-between mesh in one order of passes: the worst of kMoments at which it shows.
 struct MeshPasses {
   warp::PassOrder order = warp::PassOrder::kRowsFirst;
   std::size_t folds = 0;  ///< vertices of the intermediate mesh that are out of order
@@ -24,10 +23,10 @@ struct MeshPasses {
   double t = 0;           ///< when
 };
 
-/// Below this, what two passes lose of the area is not seen.
+/// Below this, the share of the area that two passes lose is not visible.
 inline constexpr double kVisibleLoss = 0.05;
 
-/// A moment and its mesh on every picture, shared by moments whose mesh lies alike.
+/// A moment and its mesh on every picture, shared by moments with an equal mesh.
 struct MeshMoment {
   project::Moment moment;
   std::shared_ptr<const std::vector<MeshSide>> sides;
@@ -39,8 +38,8 @@ MeshPasses passes_at(const warp::Mesh& held, const warp::Mesh& to, warp::PassOrd
 /// At the worst of the moments at which the picture shows. @param order  kRowsFirst or kColumnsFirst.
 MeshPasses passes_of(std::span<const MeshMoment> moments, SideIndex side, warp::PassOrder order);
 
-/// For all frames at once, since a change on the way would show as a jump: the order that is `asked` for, or for
-/// kAuto of both the one with fewer folds, then with less area lost.
+/// One order for all frames, because a change between frames would show as a jump: the order `asked` for, or for kAuto
+/// the one with fewer folds, then with less area lost.
 MeshPasses choose_passes(warp::PassOrder asked, std::span<const MeshMoment> moments, SideIndex side);
 
 class MeshPlan;
@@ -52,7 +51,7 @@ class MeshWarper : public Warper {
 
   /// Cost: O(columns + rows) for every pixel; `map` is much faster for a whole canvas.
   void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const override;
-  /// What is out of order in the mesh is squashed, as in the frame.
+  /// Folded parts of the mesh are squashed, as in the frame.
   warp::Map map(SideIndex side, Pixels pixels) const override;
   std::optional<warp::Image> drawn(SideIndex side) const override;
   void weight_row(SideIndex side, int y, std::span<float> out) const override;
@@ -102,10 +101,10 @@ class MeshPlan : public Plan {
 
 /// @param what  begins the sentence: "the source mesh folds over". @param place  for the message; if it ends with a
 /// slash, the vertex's number is added.
-/// @throws Error kBadInput naming the vertex that is out of order most plainly.
+/// @throws Error kBadInput naming the most obvious vertex that is out of order.
 void require_unfolded(const warp::Mesh& mesh, const std::string& what, const std::string& place);
 
-/// What is wrong with a vertex, for people: "is not right of its left neighbour".
+/// Describes what is wrong with a vertex: "is not right of its left neighbour".
 const char* text_of(warp::MeshFoldKind kind);
 
 /// "rows first" or "columns first".

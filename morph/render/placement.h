@@ -51,7 +51,7 @@ struct Placement {
 /// kStretch changes its aspect. The identity if the sizes are equal.
 Placement place(cv::Size image, cv::Size canvas, project::Fit fit);
 
-/// Whether the placed image reaches every edge of the canvas.
+/// Whether the placed image covers the canvas.
 bool covers(const Placement& placement, cv::Size image, cv::Size canvas);
 
 }  // namespace morphkit::render

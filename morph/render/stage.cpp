@@ -54,7 +54,7 @@ warp::Pixel premultiplied(const project::Color& color) {
           warp::linear_from_srgb(static_cast<float>(color.b)) * alpha, alpha};
 }
 
-/// What lies behind a view of the canvas, as Stage::behind.
+/// The background of a view of the canvas, as Stage::behind.
 warp::Image background_of(const project::Project& project, const std::optional<FootagePicture>& picture,
                           cv::Size canvas, const CanvasView& view) {
   if (const auto* color = std::get_if<project::Color>(&project.output.background))

@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of a project, placed on the canvas: what every warper starts from.
+// The pictures of a project, placed on the canvas: the input of every warper.
 
 #include <optional>
 #include <vector>
@@ -45,9 +45,8 @@ struct CanvasView {
   cv::Point2d origin;  ///< canvas px
 };
 
-/// A stage that shows the whole canvas or a view of it: what is rendered on a view is what lies there on the canvas.
-/// For a view, copies of more than kReducedAreaPx are taken as they are, which costs more time per frame than reducing
-/// them but once less.
+/// A stage that shows the whole canvas or a view of it; a view shows exactly that part of the canvas. For a view,
+/// copies above kReducedAreaPx are used unreduced: each frame takes longer, but making the stage is quick.
 /// @throws std::invalid_argument if there are not as many pictures as the project has.
 Stage make_stage(const project::Project& project, const Footage& footage,
                  const std::optional<CanvasView>& view = std::nullopt);

@@ -1,5 +1,5 @@
 #pragma once
-// Carries positions from one picture to the other by the warp so far. Internal to cli/edit.
+// Maps positions from one picture to the other by the current warp. Internal to cli/edit.
 
 #include <span>
 #include <vector>
@@ -18,7 +18,7 @@ std::vector<cv::Point2d> counterparts(const project::Project& project, const pro
                                       std::span<const cv::Size> sizes, project::SideIndex side,
                                       std::span<const cv::Point2d> positions);
 
-/// The vertices of a mesh on one picture of that size, px, also if it is uniform and so lists none.
+/// The vertices of a mesh on a picture of that size, px; computed if the mesh is uniform and lists none.
 project::Points vertices_on(cv::Size picture, int columns, int rows, const project::Points& listed);
 
 }  // namespace morphkit::edit

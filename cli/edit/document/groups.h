@@ -1,5 +1,5 @@
 #pragma once
-// Groups that are made and removed with their members. Internal to cli/edit.
+// Groups are made and removed together with their members. Internal to cli/edit.
 
 #include <set>
 #include <string>

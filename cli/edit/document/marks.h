@@ -1,5 +1,5 @@
 #pragma once
-// What can be done to one feature so that it stays one that a project file may hold. Internal to cli/edit.
+// Edits of one feature that keep it valid for a project file. Internal to cli/edit.
 
 #include <string_view>
 #include <vector>
@@ -18,7 +18,7 @@ const Points& points_of(const project::Feature& feature, project::SideIndex side
 
 bool finite(cv::Point2d point);
 
-/// Without the last digits that sums leave behind, as 0.30000000000000004: to a millionth of a px.
+/// Rounds to a millionth of a px, to drop digits such as those of 0.30000000000000004.
 cv::Point2d settled(cv::Point2d point);
 
 /// Within +-kMaxCoordinate. @pre finite.
@@ -27,27 +27,26 @@ cv::Point2d kept(cv::Point2d point);
 /// Whether the mark is a closed curve.
 bool is_closed(const project::Mark& mark);
 
-/// Whether the project file takes the places of the feature: both sides are points or lines or curves of the kind that
-/// it says, within kMaxCoordinate.
+/// Whether a project file accepts the feature's places: both sides fit its kind and lie within kMaxCoordinate.
 bool sound(const project::Feature& feature);
 
 /// Moves one point; both ends of an open curve or of a line that lie at the same place on both sides move together.
-/// @return whether what came out is sound; if not, the feature is unchanged.
+/// @return whether the result is valid; if not, the feature is unchanged.
 bool move_point(project::Feature& feature, project::SideIndex side, std::size_t point, cv::Point2d to);
 
-/// Moves all points of a side, shape and all, as far as the limits let it. @return as move_point.
+/// Moves all points of a side as a whole, as far as the limits allow. @return as move_point.
 bool move_all(project::Feature& feature, project::SideIndex side, cv::Point2d by);
 
-/// Lets a side run the other way round; a closed curve keeps its first point.
+/// Reverses a side; a closed curve keeps its first point.
 void reverse(project::Feature& feature, project::SideIndex side);
 
 /// "line", "point" or "curve".
 std::string_view word_for(const project::Mark& mark);
 
-/// "line 3": with the smallest number that makes it one that no feature has.
+/// "line 3": with the smallest number that is free.
 std::string free_id(const project::Project& project, const project::Mark& mark);
 
-/// What is wrong with a name of a feature or a group as a name, or an empty string.
+/// What is wrong with a name of a feature or a group; empty if nothing is.
 std::string problem_of_name(const std::string& name);
 
 }  // namespace morphkit::edit

@@ -29,7 +29,7 @@ class Storage {
   std::filesystem::path autosave_file() const;
 
   /// Writes the project, atomically, and removes the autosave.
-  /// @return the project as the file has it now. @throws Error kIo; the file is then what it was.
+  /// @return the project as saved. @throws Error kIo; the file is then unchanged.
   project::Project save(project::Project project);
 
   /// Whether another program has changed the file since it was last read or written here. Compares time and size first,
@@ -49,7 +49,7 @@ class Storage {
   /// Waits for the autosave that is being written.
   void finish();
   void drop_autosave();
-  /// Writes the autosave before the program ends, if need be to the folder for temporary files.
+  /// Writes the autosave before the program ends, if necessary to the folder for temporary files.
   /// @return its path. @throws Error kIo.
   std::filesystem::path rescue(const project::Project& project);
 

@@ -23,7 +23,7 @@ class Actions {
 
  private:
   std::optional<Wish> perform_command(Command command);
-  void perform_other(Command command);  ///< those that are neither of a tool nor on marks
+  void perform_other(Command command);  ///< commands of no tool and on no mark
 
   void perform_value(ToolId tool) { tools_.choose(tool); }
   void perform_value(Show show) { context_.model().show = show; }

@@ -37,7 +37,7 @@ class PictureDrag : public Drag {
   ToolContext& context() const { return context_; }
   const Press& press() const { return press_; }
   bool moved() const { return moved_; }
-  /// Whether a release at a canvas position makes a click of it.
+  /// Whether a release at a canvas position counts as a click.
   bool is_click(cv::Point position) const;
 
  private:

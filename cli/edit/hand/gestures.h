@@ -1,5 +1,5 @@
 #pragma once
-// Input to changes of the model: finds out who an event is for.
+// Turns input into changes of the model: finds the receiver of an event.
 
 #include <memory>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace morphkit::edit {
 
-/// Owns the tools and the drag that is going on. The model outlives it.
+/// Owns the tools and the current drag. The model outlives it.
 class Gestures {
  public:
   Gestures(Model& model, EdgeFinder edges);

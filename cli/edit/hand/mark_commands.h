@@ -6,7 +6,7 @@
 
 namespace morphkit::edit {
 
-/// @return false: it is no command of this kind.
+/// @return false: not a command of this kind.
 bool perform_on_marks(const ToolContext& context, Command command);
 
 /// Moves the held point alone, if nothing else is selected; else everything that is selected.

@@ -1,5 +1,5 @@
 #pragma once
-// Pressing marks: selects them and drags them. Every tool does it alike.
+// Pressing marks selects and drags them, in every tool.
 
 #include <memory>
 

@@ -10,13 +10,13 @@ class Playback {
  public:
   explicit Playback(Model& model) : model_(model) {}
 
-  /// Plays on, forth and back, at the project's rate times Model::speed.
+  /// Plays forward and backward, at the project's rate times Model::speed.
   void tick(double seconds);
   void toggle() { model_.playing = !model_.playing; }
   void step(int frames);  ///< stops
   void go_to(double t);   ///< stops
   void multiply_speed(double factor);
-  void next_speed();  ///< doubles it, and begins anew after the fastest
+  void next_speed();  ///< doubles it; after the fastest comes the slowest
 
  private:
   Model& model_;

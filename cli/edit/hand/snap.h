@@ -11,7 +11,7 @@
 namespace morphkit::edit {
 
 /// The strongest edge of the picture within `radius` px of a position, picture px, accurate to a fraction of a px.
-/// Nothing if no edge there stands out. @param zoom  of the view: edges are sought in the pyramid level that it shows.
+/// Nothing if there is no clear edge. @param zoom  of the view: searches the pyramid level on screen.
 std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d position, double radius, double zoom);
 
 /// The nearest point of any feature but `except` on that side within `radius` px.

@@ -5,12 +5,12 @@
 
 namespace morphkit::edit {
 
-/// The line that is typed is Model::entry. Owns whether Shift came before the next letter.
+/// The typed line is Model::entry. Owns whether Shift came before the next letter.
 class TextEntry {
  public:
   explicit TextEntry(ToolContext& context) : context_(context) {}
 
-  /// Begins with the name or group of the selected feature. Tells why not, if it cannot.
+  /// Begins with the name or group of the selected feature. Explains if that is not possible.
   void begin(Entry::What what);
   /// @pre Model::entry is there.
   void key(int key);

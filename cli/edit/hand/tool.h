@@ -20,7 +20,7 @@ class Tool {
   /// The mouse moves over the canvas without a drag.
   virtual void hover(const Mouse&) {}
 
-  /// A key or a button. @return whether the tool has taken it; else it has its ordinary meaning.
+  /// A key or a button. @return whether the tool has handled it.
   virtual bool perform(Command) { return false; }
 
   /// Another tool is chosen: finishes what is being drawn.
@@ -35,8 +35,8 @@ class Tool {
   ToolContext& context_;
 };
 
-/// A tool that draws marks. A press takes hold of a mark, a Shift press drags a box; everything else, and every press
-/// with Ctrl, begins a mark.
+/// A tool that draws marks. A press grabs a mark, a Shift press drags a box; any other press, and any press with Ctrl,
+/// begins a mark.
 class DrawingTool : public Tool {
  public:
   using Tool::Tool;
@@ -47,7 +47,7 @@ class DrawingTool : public Tool {
   virtual std::unique_ptr<Drag> begin(const Press& press, cv::Point2d at) = 0;
 };
 
-/// Tells about the mark that was just added.
+/// Shows a message about the new mark.
 void tell_of_new_mark(const ToolContext& context);
 
 }  // namespace morphkit::edit

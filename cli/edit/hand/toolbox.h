@@ -17,7 +17,7 @@ class Toolbox {
   Tool& current() const;
   /// The tool before it finishes what it draws. Vertices and features are never selected together.
   void choose(ToolId tool);
-  /// Offers a command to the chosen tool, then to the others. @return whether one has taken it.
+  /// Offers a command to the chosen tool, then to the others. @return whether one has handled it.
   bool perform(Command command) const;
 
  private:

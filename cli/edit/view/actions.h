@@ -109,7 +109,7 @@ enum class Command {
   kGroup,
   kUndo,
   kRedo,
-  kEscape,  ///< ends one thing that is going on
+  kEscape,  ///< ends the innermost thing in progress
   kFit,
   kPlay,
   kNextSpeed,
@@ -129,7 +129,7 @@ struct Nudge {
   bool operator==(const Nudge&) const = default;
 };
 
-/// Stops playing and goes on by so many frames.
+/// Stops playing and steps by this many frames.
 struct StepFrames {
   int frames = 0;
   bool operator==(const StepFrames&) const = default;

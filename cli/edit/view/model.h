@@ -1,5 +1,5 @@
 #pragma once
-// The state of the preview tool: the document, the views of it, and the input that is going on.
+// The state of the preview tool: the document, the views of it, and the input in progress.
 
 #include <optional>
 #include <string>
@@ -37,7 +37,7 @@ struct Entry {
   std::string text;
 };
 
-/// A question over the canvas that must be answered first. Answers are single keys, and can be clicked.
+/// A question over the canvas that must be answered first. Answers are single keys and can be clicked.
 struct Question {
   struct Answer {
     char key = 0;       ///< lower case

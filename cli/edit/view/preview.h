@@ -1,5 +1,5 @@
 #pragma once
-// The result pane: one moment of the morph as far as it is looked at, at the size at which it is looked at.
+// The result pane: the visible part of one moment of the morph, at the size on screen.
 
 #include <cstdint>
 #include <limits>
@@ -22,7 +22,7 @@ struct PreviewRequest {
   bool folds = false;        ///< paint them red
   View view;                 ///< of the canvas that is rendered
   cv::Size size;             ///< of the pane, px
-  std::uint64_t number = 0;  ///< told back with the picture
+  std::uint64_t number = 0;  ///< returned with the picture
 };
 
 struct PreviewPicture {
@@ -60,7 +60,7 @@ class PreviewRenderer {
   const Pyramid& source_;
   const Pyramid& destination_;
   const Pyramid* background_;
-  std::optional<Placed> placed_, placed_draft_;  ///< a draft before each picture must not push out what that needs
+  std::optional<Placed> placed_, placed_draft_;  ///< kept apart, so that drafts do not evict it
 };
 
 }  // namespace morphkit::edit

@@ -1,5 +1,5 @@
 #pragma once
-// Previews are made beside the event loop, so that the hand never waits.
+// Previews are rendered in a thread, so the event loop never waits.
 
 #include <condition_variable>
 #include <mutex>
@@ -10,8 +10,8 @@
 
 namespace morphkit::edit {
 
-/// The newest request wins: one that has not been begun is dropped, and of one that has been begun what is left. Where
-/// a picture takes long a draft comes before it.
+/// The newest request wins: a waiting request is replaced, a running one is abandoned. If a picture takes long, a draft
+/// comes first.
 class PreviewThread {
  public:
   /// The pyramids outlive it.
@@ -22,7 +22,7 @@ class PreviewThread {
 
   void request(PreviewRequest request);
 
-  /// The newest picture that was finished since the last call. Numbers never fall from one to the next.
+  /// The newest picture finished since the last call. Numbers never decrease.
   std::optional<PreviewPicture> take();
 
   /// Waits until the last request has its picture.
