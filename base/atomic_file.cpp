@@ -2,13 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 
 #include "base/descriptor.h"
@@ -33,9 +36,64 @@ constexpr mode_t kPermissionBits = 07777;
   fail(place, fmt::format("{}: {}", what, std::generic_category().message(error)));
 }
 
-std::string temporary_name(const fs::path& final_name, unsigned counter) {
+constexpr std::string_view kMark = ".tmp";
+
+/// The number of the next temporary file of this process.
+std::atomic<unsigned> next_number{0};
+
+std::string cut_name(const fs::path& final_name) {
+  return final_name.stem().string().substr(0, kLongestStem) + final_name.extension().string();
+}
+
+std::string temporary_name(const fs::path& final_name, unsigned number) {
   const std::string stem = final_name.stem().string().substr(0, kLongestStem);
-  return fmt::format(".{}.{}.{}.tmp{}", stem, static_cast<long>(::getpid()), counter, final_name.extension().string());
+  return fmt::format(".{}.{}.{}{}{}", stem, static_cast<long>(::getpid()), number, kMark,
+                     final_name.extension().string());
+}
+
+/// What a temporary name says.
+struct TemporaryName {
+  std::string final_name;  ///< cut
+  long process = 0;
+  unsigned number = 0;
+};
+
+/// Takes the number behind the last dot of `text` off. @return whether there is one.
+template <typename Number>
+bool take_number(std::string_view& text, Number& value) {
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + dot + 1, end, value);
+  text.remove_suffix(text.size() - dot);
+  return error == std::errc() && stop == end;
+}
+
+/// The reverse of temporary_name; nothing for other names.
+std::optional<TemporaryName> parse_temporary(std::string_view name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (mark == std::string_view::npos || !name.starts_with('.')) return std::nullopt;
+  const std::string_view extension = name.substr(mark + kMark.size());
+  if (!extension.empty() && extension.front() != '.') return std::nullopt;
+  std::string_view stem = name.substr(1, mark - 1);
+  TemporaryName result;
+  if (!take_number(stem, result.number) || !take_number(stem, result.process) || stem.empty()) return std::nullopt;
+  result.final_name = std::string(stem) + std::string(extension);
+  return result;
+}
+
+/// Removes a temporary file whose owner is gone.
+void remove_if_abandoned(const fs::path& file) {
+  const Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (descriptor.get() >= 0 && ::flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
+}
+
+/// Locks a temporary file that was just created. @return false if another program has removed it before.
+bool lock_new(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  struct stat status = {};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
 fs::path follow_links(const fs::path& name) {
@@ -75,7 +133,7 @@ void set_mode(int descriptor, mode_t mode) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite)
+AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite, Leftovers leftovers)
     : shown_(final_name.string()), final_(follow_links(final_name)), overwrite_(overwrite) {
   if (final_.filename().empty()) fail(shown_, "is not a file name");
   std::error_code error;
@@ -89,6 +147,9 @@ AtomicFile::AtomicFile(const fs::path& final_name, bool overwrite)
   if (fs::is_directory(status)) fail(shown_, "is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(shown_, "is not a regular file");
   if (fs::exists(status) && !overwrite_) throw FileExists(shown_);
+  if (leftovers == Leftovers::kRemove) {
+    remove_leftovers(folder, [name = cut_name(final_)](const std::string& found) { return found == name; });
+  }
   reserve();
 }
 
@@ -97,14 +158,14 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::reserve() {
-  static std::atomic<unsigned> counter{0};
   for (;;) {
-    const fs::path name = final_.parent_path() / temporary_name(final_, counter++);
-    const Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    const fs::path name = final_.parent_path() / temporary_name(final_, next_number++);
+    Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (descriptor.get() < 0) {
       if (errno == EEXIST) continue;
       fail_errno(shown_, "cannot be created", errno);
     }
+    if (!lock_new(descriptor.get())) continue;
     // From the start, others get no more permissions than on the replaced file. We ourselves must be able to write.
     struct stat old = {};
     if (::stat(final_.c_str(), &old) == 0) {
@@ -112,6 +173,7 @@ void AtomicFile::reserve() {
       set_mode(descriptor.get(), *mode_ | S_IRUSR | S_IWUSR);
     }
     temporary_ = name;
+    lock_ = std::move(descriptor);
     return;
   }
 }
@@ -143,6 +205,17 @@ void AtomicFile::commit() {
     fail_errno(shown_, "cannot be put in place", errno);
   }
   committed_ = true;
+}
+
+void remove_leftovers(const fs::path& folder, const std::function<bool(const std::string&)>& is_ours) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::optional<TemporaryName> name = parse_temporary(entry->path().filename().string());
+    if (!name || !is_ours(name->final_name)) continue;
+    // A network file system may grant one process the same lock twice.
+    const bool in_work_here = name->process == static_cast<long>(::getpid()) && name->number < next_number;
+    if (!in_work_here) remove_if_abandoned(entry->path());
+  }
 }
 
 void write_file(const fs::path& file, std::span<const std::uint8_t> bytes, bool overwrite) {

@@ -1,9 +1,11 @@
 #include "morph/media/frame_pattern.h"
 
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -81,6 +83,16 @@ bool FramePattern::matches(const std::filesystem::path& name) {
 
 std::filesystem::path FramePattern::operator()(int frame) const {
   return folder_ / fmt::format("{}{:0{}}{}", prefix_, frame, width_, suffix_);
+}
+
+bool FramePattern::names(std::string_view name) const {
+  if (name.size() <= prefix_.size() + suffix_.size() || !name.starts_with(prefix_) || !name.ends_with(suffix_)) {
+    return false;
+  }
+  const std::string_view digits = name.substr(prefix_.size(), name.size() - prefix_.size() - suffix_.size());
+  int frame = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), frame);
+  return error == std::errc() && (folder_ / name) == (*this)(frame);
 }
 
 }  // namespace morphkit::media

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace morphkit::media {
 
@@ -21,6 +22,9 @@ class FramePattern {
 
   /// The file of one frame, any int.
   std::filesystem::path operator()(int frame) const;
+
+  /// Whether a name (without folder) is that of some frame.
+  bool names(std::string_view name) const;
 
  private:
   std::filesystem::path folder_;

@@ -21,11 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path folder_of(const fs::path& output) {
+  return output.has_parent_path() ? output.parent_path() : fs::path(".");
+}
+
 /// One image file per frame; or, without a pattern, one file for the only frame.
 class FileSink final : public FrameSink {
  public:
   FileSink(fs::path name, std::optional<FramePattern> pattern, SinkOptions options)
-      : name_(std::move(name)), pattern_(std::move(pattern)), options_(std::move(options)) {}
+      : name_(std::move(name)), pattern_(std::move(pattern)), options_(std::move(options)) {
+    if (pattern_) {
+      remove_leftovers(folder_of(name_), [this](const std::string& found) { return pattern_->names(found); });
+    }
+  }
 
   Packet encode(int frame, const warp::Image& image) override {
     if (image.size() != options_.size)
@@ -34,11 +42,16 @@ class FileSink final : public FrameSink {
     return encode_image(file(frame), image, options_.image);
   }
 
-  void write(int frame, Packet packet) override { write_file(file(frame), packet, options_.image.overwrite); }
+  void write(int frame, Packet packet) override {
+    AtomicFile target(file(frame), options_.image.overwrite, pattern_ ? Leftovers::kKeep : Leftovers::kRemove);
+    target.write(packet);
+    target.commit();
+  }
+
   void finish() override {}
 
   bool has(int frame) const override {
-    // write_file renames complete files into place, so an existing file of ours is whole. Another file under that name
+    // `write` renames complete files into place, so an existing file of ours is whole. Another file under that name
     // has another size or is not an image.
     const fs::path name = file(frame);
     std::error_code error;
@@ -69,7 +82,7 @@ class FileSink final : public FrameSink {
 };
 
 void check_folder(const fs::path& output) {
-  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(output);
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status))

@@ -227,6 +227,7 @@ TEST_F(Morph, AnInterruptFinishesFramesInWorkAndResumes) {
         run({"morph", "pair.json", "--size", "640x480", "-n", "60", "-o", "part.%02d.png", "--resume"});
     EXPECT_EQ(rest.exit_code, 0) << rest.err;
     EXPECT_EQ(files("part").size(), 60u);
+    EXPECT_TRUE(files(".").empty()) << "temporary files are left";
   }
   EXPECT_EQ(run({"morph", "pair.json", "--size", "640x480", "-n", "60", "-o", "whole.%02d.png"}).exit_code, 0);
   for (const std::string& name : files("part")) expect_same(folder_ / name, folder_ / ("whole" + name.substr(4)));

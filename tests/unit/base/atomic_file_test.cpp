@@ -1,8 +1,14 @@
 // Files appear whole or not at all.
 
+#include <csignal>
 #include <filesystem>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +105,65 @@ TEST(AtomicFile, LongNamesHaveTemporaryNames) {
   const fs::path file = folder / (std::string(250, 'x') + ".txt");
   write_file(file, Bytes{1}, false);
   EXPECT_EQ(read_bytes(file), Bytes{1});
+}
+
+/// A process of its own that has temporary files and waits; killed when the test ends.
+class Writer {
+ public:
+  explicit Writer(const std::vector<fs::path>& targets) {
+    int ready[2];
+    if (pipe(ready) != 0) throw std::runtime_error("pipe");
+    process_ = fork();
+    if (process_ == 0) {
+      std::vector<std::unique_ptr<AtomicFile>> files;
+      for (const fs::path& target : targets) files.push_back(std::make_unique<AtomicFile>(target, false));
+      if (::write(ready[1], "x", 1) != 1) _exit(1);
+      for (;;) pause();
+    }
+    char told = 0;
+    EXPECT_EQ(::read(ready[0], &told, 1), 1);
+    ::close(ready[0]);
+    ::close(ready[1]);
+  }
+  ~Writer() { kill(); }
+
+  void kill() {
+    if (process_ <= 0) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+    process_ = 0;
+  }
+
+ private:
+  pid_t process_ = 0;
+};
+
+TEST(AtomicFile, RemovesWhatAKilledProgramLeft) {
+  const TemporaryFolder folder;
+  Writer writer({folder / "a.b.txt", folder / "other.txt"});
+  { const AtomicFile file(folder / "a.b.txt", false); }
+  EXPECT_EQ(folder.names().size(), 2U) << "a file in work was removed";
+  writer.kill();
+  { const AtomicFile file(folder / "a.b.txt", false, Leftovers::kKeep); }
+  EXPECT_EQ(folder.names().size(), 2U);
+  { const AtomicFile file(folder / "a.b.txt", false); }
+  ASSERT_EQ(folder.names().size(), 1U);
+  EXPECT_TRUE(folder.names().front().starts_with(".other."));
+  remove_leftovers(folder.path(), [](const std::string& name) { return name == "other.txt"; });
+  EXPECT_EQ(folder.names().size(), 0U);
+}
+
+TEST(AtomicFile, KeepsItsOwnFilesInWorkAndNamesOfOtherKinds) {
+  const TemporaryFolder folder;
+  const AtomicFile first(folder / "a.txt", false);
+  const AtomicFile second(folder / "a.txt", false);
+  EXPECT_EQ(folder.names().size(), 2U);
+  const std::vector<std::string> others = {".a.12.txt",     ".a.12.x.tmp.txt", "a.12.3.tmp.txt",
+                                           ".12.3.tmp.txt", ".a.12.3.tmptxt",  ".a.12.3.tmp.txt.bak.tmp2",
+                                           ".a..3.tmp.txt"};
+  for (const std::string& name : others) write_bytes(folder / name, {1});
+  remove_leftovers(folder.path(), [](const std::string&) { return true; });
+  EXPECT_EQ(folder.names().size(), 2U + others.size());
 }
 
 }  // namespace

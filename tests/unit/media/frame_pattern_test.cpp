@@ -74,6 +74,14 @@ TEST(FramePattern, MatchesNamesWithAPlace) {
     EXPECT_FALSE(FramePattern::matches(no)) << no;
 }
 
+TEST(FramePattern, KnowsTheNamesOfItsFrames) {
+  const FramePattern pattern("out/part.%04d.png");
+  for (const char* yes : {"part.0001.png", "part.12345.png", "part.-001.png"}) EXPECT_TRUE(pattern.names(yes)) << yes;
+  for (const char* no : {"part.1.png", "part.00001.png", "part..png", "part.png", "part.0001.tif", "apart.0001.png",
+                         "part.00x1.png", "part.99999999999.png"})
+    EXPECT_FALSE(pattern.names(no)) << no;
+}
+
 TEST(FramePattern, RefusesInvalidPlaces) {
   EXPECT_NE(refusal("frame.png").find("no place for the frame number"), std::string::npos);
   EXPECT_NE(refusal("frame.png").find("frame.%04d.png"), std::string::npos);
