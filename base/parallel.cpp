@@ -20,6 +20,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/stop.h"
+
 namespace morphkit {
 
 class detail::Arena {
@@ -228,7 +230,9 @@ void detail::run_rows(int height, int grain, RowsFunction function, const void* 
   if (height <= 0) return;
   const bool one_is_left = grain > 1 && height > grain && height % grain == 1;
   const int bands = (height - 1) / grain + (one_is_left ? 0 : 1);
+  const StopQuestion& question = stop_question();  // threads of oneTBB have none
   const auto run_band = [&](int band) {
+    stop_if_asked(question);
     const int begin = band * grain;
     function(context, begin, band == bands - 1 ? height : begin + grain);
   };

@@ -9,6 +9,10 @@
 #include "morph/job/pictures.h"
 #include "morph/project/project.h"
 
+namespace morphkit::render {
+class Renderer;
+}
+
 namespace morphkit::cli {
 
 class CommandLine;
@@ -41,6 +45,9 @@ void warn_of_nonfinite(const project::Project& project, const job::Pictures& pic
 
 /// Warns of every setting that the project's method does not use.
 void warn_of_unused_settings(const project::Project& project, Output& output);
+
+/// "canvas 640x480, 12 lines": what is about to be rendered.
+std::string canvas_note(const render::Renderer& renderer);
 
 /// A note about a mesh that is not used; empty if there is none.
 std::string unused_mesh_note(const project::Project& project);

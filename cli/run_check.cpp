@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/exit_code.h"
+#include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/terminal.h"
 #include "morph/job/pictures.h"
@@ -53,6 +55,7 @@ void print_text(const std::vector<render::Finding>& findings, const std::vector<
 }  // namespace
 
 int run_check(const CheckOptions& options, Output& output) {
+  const StopScope stopping(interrupted);
   const project::Project project = load_project(options.project);
   const job::Pictures pictures = job::load_pictures(project);
   std::vector<std::string> notes;
@@ -62,6 +65,7 @@ int run_check(const CheckOptions& options, Output& output) {
   for (std::string& sentence : project::unused_settings(project)) notes.push_back(std::move(sentence));
   if (std::string note = unused_mesh_note(project); !note.empty()) notes.push_back(std::move(note));
   const render::Renderer renderer(project, job::footage_of(pictures), {.allow_folds = true});
+  output.detail(canvas_note(renderer));
   const std::vector<render::Finding> findings = render::check(renderer);
   const bool good = std::none_of(findings.begin(), findings.end(), [](const auto& f) { return f.warning; });
   if (options.json)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
+#include "base/stop.h"
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
@@ -34,8 +36,13 @@ int write_frames(const MapOptions& options, const render::Renderer& renderer, Ou
   ProgressBar bar(output, "maps");
   int done = 0;
   for (const int frame : frames) {
-    stop_if_interrupted(fmt::format("{} of {} maps were written", done, frames.size()));
-    write_moment(options, renderer, renderer.time_of(frame), pattern(frame));
+    try {
+      stop_if_asked();
+      write_moment(options, renderer, renderer.time_of(frame), pattern(frame));
+    } catch (const Error&) {
+      stop_if_interrupted(fmt::format("{} of {} maps were written", done, frames.size()));
+      throw;
+    }
     bar.update(++done, 0, static_cast<int>(frames.size()));
   }
   return 0;
@@ -44,6 +51,7 @@ int write_frames(const MapOptions& options, const render::Renderer& renderer, Ou
 }  // namespace
 
 int run_map(const MapOptions& options, Output& output) {
+  const StopScope stopping(interrupted);
   if (options.t.has_value() == !options.frames.empty())
     throw ArgumentError("map", "give either a moment (-t 0.5) or frames (--frames 1-48)");
   if (options.t) require_moment(*options.t);
@@ -51,6 +59,7 @@ int run_map(const MapOptions& options, Output& output) {
   warn_of_unused_settings(project, output);
   const render::Renderer renderer(project, job::footage_of(job::load_pictures(project)),
                                   {.allow_folds = options.allow_folds});
+  output.detail(canvas_note(renderer));
   if (!options.t) return as_asked([&] { return write_frames(options, renderer, output); });
   as_asked([&] { write_moment(options, renderer, renderer.clock().at(*options.t), options.output); });
   output.note(fmt::format("{}: {}x{}", options.output.string(), renderer.size().width, renderer.size().height));

@@ -3,10 +3,12 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/stop.h"
 #include "cli/arguments.h"
 #include "cli/command_line.h"
 #include "cli/exit_code.h"
@@ -132,6 +134,10 @@ void warn_of_unused_settings(const project::Project& project, Output& output) {
   for (const std::string& sentence : project::unused_settings(project)) output.warning(sentence);
 }
 
+std::string canvas_note(const render::Renderer& renderer) {
+  return fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description());
+}
+
 std::string unused_mesh_note(const project::Project& project) {
   if (!project.mesh || project::method_name_of(project) == project::MethodName::kMesh) return "";
   return "the mesh is not used, for the method is lines; \"warp\": {\"method\": \"mesh\"} would use it";
@@ -142,11 +148,13 @@ int run_morph(const MorphOptions& options, Output& output) {
   if (options.t && !options.frames.empty()) throw ArgumentError("-t", "is one moment; it does not go with --frames");
   if (options.resume && options.overwrite)
     throw ArgumentError("--resume", "keeps what is there and --overwrite replaces it; choose one");
+  std::optional<StopScope> stopping(std::in_place, interrupted);
   const project::Project project = load_project(options.project);
   const job::Pictures pictures = job::load_pictures(project);
   say_what_was_read(project, pictures, output);
   const render::Renderer renderer(project, job::footage_of(pictures), {.allow_folds = options.allow_folds});
-  output.detail(fmt::format("canvas {}, {}", size_text(renderer.size()), renderer.description()));
+  output.detail(canvas_note(renderer));
+  if (!options.t) stopping.reset();  // frames in work are finished
   return as_asked([&] {
     const media::SinkOptions sink = sink_options(options, renderer, pictures);
     return options.t ? render_moment(options, renderer, sink, output) : render_frames(options, renderer, sink, output);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 
 namespace morphkit::job {
 namespace {
@@ -21,7 +22,8 @@ Pictures load_pictures(const project::Project& project) {
   // Each picture is read by a thread of its own.
   std::vector<std::future<media::Picture>> loading;
   for (const project::Picture& side : project.pictures)
-    loading.push_back(std::async(std::launch::async, [&, workers = Workers::current()] {
+    loading.push_back(std::async(std::launch::async, [&, workers = Workers::current(), question = stop_question()] {
+      const StopScope stopping(question);
       return workers.run([&] { return load(project, side); });
     }));
   Pictures pictures;

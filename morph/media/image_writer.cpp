@@ -15,6 +15,7 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "morph/media/image_file.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"
@@ -182,9 +183,13 @@ Bytes encode_with_oiio(const fs::path& name, const std::string& plugin, const OI
   if (!output) encoder_failed(name, nullptr);
   output->threads(1);
   const auto write = [&](const std::string& target) {
-    if (!output->open(target, spec) || !output->write_image(type, samples) || !output->close()) {
-      encoder_failed(name, output.get());
-    }
+    const auto asks = [](void* question, float) { return (*static_cast<StopQuestion*>(question))(); };
+    StopQuestion question = stop_question();
+    const bool written =
+        output->open(target, spec) && output->write_image(type, samples, OIIO::AutoStride, OIIO::AutoStride,
+                                                          OIIO::AutoStride, question ? +asks : nullptr, &question);
+    stop_if_asked();
+    if (!written || !output->close()) encoder_failed(name, output.get());
   };
   if (plugin == "tiff") {
     const MemoryFile memory(name);

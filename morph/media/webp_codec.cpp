@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "base/stop.h"
 
 namespace morphkit::media {
 namespace {
@@ -67,10 +68,12 @@ std::vector<std::uint8_t> encode_webp(const std::filesystem::path& file, std::sp
   picture.height = height;
   picture.writer = WebPMemoryWrite;
   picture.custom_ptr = &writer;
+  picture.progress_hook = [](int, const WebPPicture*) { return stop_question() && stop_question()() ? 0 : 1; };
   const int stride = width * channels;
   ok = ok && (channels == kChannels ? WebPPictureImportRGBA(&picture, samples.data(), stride)
                                     : WebPPictureImportRGB(&picture, samples.data(), stride)) != 0;
   if (!ok || WebPEncode(&config, &picture) == 0) {
+    stop_if_asked();
     throw Error(ErrorKind::kFailed, file.string(),
                 fmt::format("the WebP encoder gave up (libwebp's error {})", static_cast<int>(picture.error_code)));
   }

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stop.h"
+
 namespace morphkit::render {
 namespace {
 
@@ -57,7 +59,8 @@ std::pair<int, SideIndex> rank(const Finding& finding, std::size_t sides) {
 std::vector<Finding> check(const Renderer& renderer) {
   std::vector<Finding> findings;
   std::map<std::tuple<Kind, std::string, std::vector<std::string>>, std::size_t> known;
-  for (const double t : kMoments)
+  for (const double t : kMoments) {
+    stop_if_asked();
     for (Finding& finding : renderer.warper(renderer.clock().at(t))->problems()) {
       if (!is_told(finding)) continue;
       // The marks nearest to a fold change over time.
@@ -69,6 +72,7 @@ std::vector<Finding> check(const Renderer& renderer) {
         findings[place->second] = std::move(finding);
       }
     }
+  }
   const std::size_t sides = renderer.stage().sides.size();
   std::ranges::stable_sort(findings, {}, [&](const Finding& finding) { return rank(finding, sides); });
   return findings;

@@ -250,6 +250,25 @@ TEST_F(Morph, SignalsInOneMomentAreOneRequest) {
                {"interrupted"});
 }
 
+TEST_F(Morph, LongSingleWorksStopInTheirMidst) {
+  RunOptions options;
+  options.marker = "canvas ";
+  options.send = SIGTERM;
+  const std::vector<std::vector<std::string>> works = {{"check"},
+                                                       {"map", "-t", "0.5", "-o", "big.exr"},
+                                                       {"map", "--frames", "1-12", "-o", "big.##.exr"},
+                                                       {"morph", "-t", "0.5", "-o", "big.png"}};
+  for (std::vector<std::string> arguments : works) {
+    arguments.insert(arguments.begin() + 1, "pair.json");
+    arguments.insert(arguments.end(), {"--verbose", "--set", "output.size=[4000, 4000]"});
+    const RunResult result = run(arguments, options);
+    EXPECT_EQ(result.exit_code, 130) << arguments.front() << ": " << result.err;
+    EXPECT_TRUE(contains(result.err, "interrupted")) << result.err;
+    EXPECT_TRUE(files("big").empty());
+    EXPECT_TRUE(files(".").empty());
+  }
+}
+
 TEST_F(Morph, AVideoNeedsFfmpegAndSaysSo) {
   RunOptions options;
   options.environment = {"PATH=/nowhere"};
