@@ -31,7 +31,7 @@ std::size_t segment_of(std::span<const double> knots, double x) {
 }
 
 /// A slope of 0 at the border is monotone, but it would smear the border over many pixels.
-double lively(double slope, double secant) {
+double at_least_half(double slope, double secant) {
   return std::abs(slope) < std::abs(secant) / 2 ? secant / 2 : slope;
 }
 
@@ -39,9 +39,10 @@ double slope_at(MeshSpline spline, std::span<const double> x, std::span<const do
   const std::size_t last = x.size() - 1;
   if (last == 1) return secant(x, y, 0).slope;
   if (spline == MeshSpline::kMonotone) {
-    if (i == 0) return lively(monotone_end_slope(secant(x, y, 0), secant(x, y, 1)), secant(x, y, 0).slope);
+    if (i == 0) return at_least_half(monotone_end_slope(secant(x, y, 0), secant(x, y, 1)), secant(x, y, 0).slope);
     if (i == last)
-      return lively(monotone_end_slope(secant(x, y, last - 1), secant(x, y, last - 2)), secant(x, y, last - 1).slope);
+      return at_least_half(monotone_end_slope(secant(x, y, last - 1), secant(x, y, last - 2)),
+                           secant(x, y, last - 1).slope);
     return monotone_slope(secant(x, y, i - 1), secant(x, y, i));
   }
   const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, last);

@@ -95,12 +95,12 @@ cv::Vec4d footprint_mean(const Image& source, cv::Vec2d position, const Axis<Fil
   cv::Vec4d sum;
   double weights = 0;
   for (double y = std::ceil(position[1] - reach_y - 0.5); y <= position[1] + reach_y - 0.5; ++y) {
-    const int row = standing_at(static_cast<std::int64_t>(y), source.rows, border);
+    const int row = index_within(static_cast<std::int64_t>(y), source.rows, border);
     for (double x = std::ceil(position[0] - reach_x - 0.5); x <= position[0] + reach_x - 0.5; ++x) {
       const cv::Vec2d offset = cv::Vec2d(x + 0.5, y + 0.5) - position;
       const double weight = u.weight(offset) * v.weight(offset);
       weights += weight;
-      const int column = standing_at(static_cast<std::int64_t>(x), source.cols, border);
+      const int column = index_within(static_cast<std::int64_t>(x), source.cols, border);
       if (row >= 0 && column >= 0) sum += weight * cv::Vec4d(source(row, column));
     }
   }

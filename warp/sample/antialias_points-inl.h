@@ -36,13 +36,13 @@ HWY_INLINE FloatVec point_distance(FloatVec sigma) {
 }
 
 /// A point or a displacement for each pixel of a vector.
-struct Way {
+struct PointVec {
   FloatVec x, y;
 };
-HWY_INLINE Way operator+(const Way& a, const Way& b) {
+HWY_INLINE PointVec operator+(const PointVec& a, const PointVec& b) {
   return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)};
 }
-HWY_INLINE Way operator-(const Way& a, const Way& b) {
+HWY_INLINE PointVec operator-(const PointVec& a, const PointVec& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
 }
 
@@ -75,9 +75,9 @@ struct AreaPoints {
               hn::MulAdd(root_xy, other_x, hn::Mul(root_yy, other_y))};
   }
 
-  Way pair;            ///< d1 U1
-  Way four_1, four_2;  ///< columns of S R
-  FloatVec four_part;  ///< 0: two points; 1: four
+  PointVec pair;            ///< d1 U1
+  PointVec four_1, four_2;  ///< columns of S R
+  FloatVec four_part;       ///< 0: two points; 1: four
 };
 
 /// kPoints further points each for some pixels of a segment.
@@ -90,7 +90,7 @@ class PointList {
   size_t at(size_t entry) const { return static_cast<size_t>(at_[entry]); }
 
   /// Adds the pixels from `at` on that are in the mask.
-  HWY_INLINE void add(hn::Mask<Floats> mask, size_t at, const Way (&points)[kPoints]) {
+  HWY_INLINE void add(hn::Mask<Floats> mask, size_t at, const PointVec (&points)[kPoints]) {
     const Floats d;
     const hn::RebindToSigned<Floats> di;
     for (size_t k = 0; k < kPoints; ++k) {
@@ -133,15 +133,15 @@ class SegmentPoints {
   /// Adds a vector of pixels that are a point each, except those in `areas`.
   HWY_INLINE void add_areas(const Points& middles, hn::Mask<Floats> areas, const AreaPoints& points, size_t at) {
     const Floats d;
-    const Way middle{middles.x, middles.y};
+    const PointVec middle{middles.x, middles.y};
     const auto has_four = hn::And(areas, hn::Gt(points.four_part, hn::Zero(d)));
     const auto only_four = hn::And(areas, hn::Ge(points.four_part, hn::Set(d, 1.0F)));
-    Way first = middle - points.pair;
+    PointVec first = middle - points.pair;
     pairs_.add(hn::AndNot(only_four, areas), at, {middle + points.pair});
     if (!hn::AllFalse(d, has_four)) {
-      const Way up = middle - points.four_1, down = middle + points.four_1;
-      const Way one = up - points.four_2, two = up + points.four_2, three = down - points.four_2,
-                four = down + points.four_2;
+      const PointVec up = middle - points.four_1, down = middle + points.four_1;
+      const PointVec one = up - points.four_2, two = up + points.four_2, three = down - points.four_2,
+                     four = down + points.four_2;
       first = {hn::IfThenElse(only_four, one.x, first.x), hn::IfThenElse(only_four, one.y, first.y)};
       fours_.add(only_four, at, {two, three, four});
       hn::StoreU(hn::Compress(points.four_part, hn::AndNot(only_four, has_four)), d, parts_ + blends_.size());

@@ -249,8 +249,8 @@ class Summer {
   }
 
   Pixel pixel_at(int x, int y) const {
-    const int column = standing_at(x, source_.cols, border_);
-    const int row = standing_at(y, source_.rows, border_);
+    const int column = index_within(x, source_.cols, border_);
+    const int row = index_within(y, source_.rows, border_);
     return column < 0 || row < 0 ? Pixel::all(0) : source_(row, column);
   }
 

@@ -8,7 +8,7 @@
 namespace morphkit::warp::detail {
 
 /// The pixel to read at `index` of an axis of `size` pixels; -1 if there is none.
-inline int standing_at(std::int64_t index, int size, Border border) noexcept {
+inline int index_within(std::int64_t index, int size, Border border) noexcept {
   if (index >= 0 && index < size) return static_cast<int>(index);
   if (border == Border::kTransparent) return -1;
   if (border == Border::kClamp) return index < 0 ? 0 : size - 1;

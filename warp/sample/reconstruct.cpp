@@ -61,8 +61,8 @@ Pixel filtered(const Image& source, const MapPoint& position, Border border) {
   const Place x = place(position[0] - 0.5, source.cols, border);
   const Place y = place(position[1] - 0.5, source.rows, border);
   const auto tap = [&](int i, int j) {
-    return pixel_at(source, standing_at(x.base - Taps::kBefore + i, source.cols, border),
-                    standing_at(y.base - Taps::kBefore + j, source.rows, border));
+    return pixel_at(source, index_within(x.base - Taps::kBefore + i, source.cols, border),
+                    index_within(y.base - Taps::kBefore + j, source.rows, border));
   };
   if (x.fraction == 0 && y.fraction == 0) return tap(Taps::kBefore, Taps::kBefore);
   const Taps across(x.fraction);
@@ -84,8 +84,8 @@ Pixel filtered(const Image& source, const MapPoint& position, Border border) {
 }
 
 Pixel nearest(const Image& source, const MapPoint& position, Border border) {
-  return pixel_at(source, standing_at(place(position[0], source.cols, border).base, source.cols, border),
-                  standing_at(place(position[1], source.rows, border).base, source.rows, border));
+  return pixel_at(source, index_within(place(position[0], source.cols, border).base, source.cols, border),
+                  index_within(place(position[1], source.rows, border).base, source.rows, border));
 }
 
 }  // namespace

@@ -417,8 +417,8 @@ class Row {
     bool any_column = false;
     bool any_row = false;
     for (int t = 0; t < Taps::kTaps; ++t) {
-      columns[t] = standing_at(x.base - Taps::kBefore + t, source_.cols, border_);
-      rows[t] = standing_at(y.base - Taps::kBefore + t, source_.rows, border_);
+      columns[t] = index_within(x.base - Taps::kBefore + t, source_.cols, border_);
+      rows[t] = index_within(y.base - Taps::kBefore + t, source_.rows, border_);
       any_column = any_column || columns[t] >= 0;
       any_row = any_row || rows[t] >= 0;
     }
