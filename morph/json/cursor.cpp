@@ -138,6 +138,13 @@ const std::string& Cursor::string() const {
   return node_->text();
 }
 
+const std::string& Cursor::path(const std::string& what) const {
+  const std::string& text = string();
+  if (text.empty()) fail(fmt::format("{} must not be empty", what));
+  if (text.find('\0') != std::string::npos) fail(fmt::format("{} holds a NUL character; remove it", what));
+  return text;
+}
+
 const std::string& Cursor::name(const std::string& what) const {
   const std::string& text = string();
   if (text.empty()) fail(fmt::format("{} must not be empty", what));

@@ -54,8 +54,10 @@ class Cursor {
   int integer(int least, int most) const;
   bool boolean() const;
   const std::string& string() const;
-  /// Not empty and without control characters: ids and paths.
+  /// An id: not empty and without control characters.
   const std::string& name(const std::string& what) const;
+  /// The path of a file: not empty and without NUL. Other control characters are allowed, as in a file system.
+  const std::string& path(const std::string& what) const;
 
   template <typename T>
   using Names = std::span<const std::pair<std::string_view, T>>;

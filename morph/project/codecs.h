@@ -68,7 +68,7 @@ struct Codec<std::string> {
 template <>
 struct Codec<std::filesystem::path> {
   static void read(const json::Cursor& at, std::filesystem::path& value, const Facts& facts) {
-    value = at.name(std::string(facts.what));
+    value = at.path(std::string(facts.what));
   }
   static json::Node write(const std::filesystem::path& value, const Facts&, bool) {
     return json::Node::string(value.string());

@@ -58,6 +58,18 @@ TEST(ProjectChanges, SetAnyKey) {
   EXPECT_EQ(project.file, "pair.json");
 }
 
+TEST(ProjectChanges, KeepPicturesWithControlCharactersInTheirNames) {
+  project::Project project;
+  project.pictures[project::kSource].image = "a\001.png";
+  project.pictures[project::kDestination].image = "b\n.png";
+  ProjectChanges changes;
+  changes.keys.push_back({KeyOption::kFilter, "lanczos"});
+  apply_changes(changes, project);
+  EXPECT_EQ(project.warp.filter, warp::Filter::kLanczos);
+  EXPECT_EQ(project.pictures[project::kSource].image, "a\001.png");
+  EXPECT_EQ(project.pictures[project::kDestination].image, "b\n.png");
+}
+
 TEST(ProjectChanges, NothingIsNoChange) {
   EXPECT_TRUE(same_document(changed({}), project::parse(kPair, "pair.json")));
 }

@@ -63,5 +63,13 @@ TEST(Cursor, NamesAreNotEmptyAndHaveNoControlCharacters) {
   EXPECT_EQ(message(R"("a\nb")", name), "f: the id holds a control character; remove it");
 }
 
+TEST(Cursor, PathsAreNotEmptyAndHaveNoNul) {
+  const auto path = [](const json::Cursor& at) { static_cast<void>(at.path("the path")); };
+  EXPECT_EQ(message("\"\"", path), "f: the path must not be empty");
+  EXPECT_EQ(message(R"("a\u0000b")", path), "f: the path holds a NUL character; remove it");
+  const json::Document document{"f", json::parse(R"("a\u0001b")", "f")};
+  EXPECT_EQ(json::Cursor(document).path("the path"), "a\001b");
+}
+
 }  // namespace
 }  // namespace morphkit::test
