@@ -1,6 +1,6 @@
 # `cpack -G DEB --config build/release/CPackConfig.cmake`: the packages morphkit and libmorphkit-dev.
 set(CPACK_PACKAGE_NAME morphkit)
-set(CPACK_PACKAGE_CONTACT "The morphkit authors <morphkit@localhost>" CACHE STRING "Maintainer of the packages")
+set(CPACK_PACKAGE_CONTACT "The morphkit authors" CACHE STRING "Maintainer of the packages")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

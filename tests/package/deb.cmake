@@ -38,6 +38,15 @@ foreach(needed ffmpeg fonts-dejavu-core libopencv-core)
   endif()
 endforeach()
 
+# There is no address to write to: the package invents none.
+foreach(file "${package}" "${development}")
+  execute_process(COMMAND dpkg-deb --field "${file}" Maintainer OUTPUT_VARIABLE maintainer
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT maintainer STREQUAL "The morphkit authors")
+    message(FATAL_ERROR "the maintainer of ${file} is ${maintainer}")
+  endif()
+endforeach()
+
 set(root "${work}/root")
 run(dpkg-deb --extract "${package}" "${root}")
 set(program "${root}/usr/bin/morphkit")
