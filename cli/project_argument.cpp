@@ -137,7 +137,7 @@ bool is_project(const std::filesystem::path& file) {
   return file.extension() == ".json";
 }
 
-std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture) {
+std::filesystem::path relative_to_project(const std::filesystem::path& project, const std::filesystem::path& picture) {
   const auto folder = [](const std::filesystem::path& file) { return std::filesystem::absolute(file).parent_path(); };
   return (std::filesystem::proximate(folder(picture), folder(project)) / picture.filename()).lexically_normal();
 }

@@ -50,7 +50,7 @@ bool is_project(const std::filesystem::path& file);
 /// `picture` as `project`, a file, names it: both are given from the current directory, and the path begins at the
 /// folder of the project. Links among the folders are followed, as opening the path does; a link to the picture
 /// itself keeps its name.
-std::filesystem::path seen_from(const std::filesystem::path& project, const std::filesystem::path& picture);
+std::filesystem::path relative_to_project(const std::filesystem::path& project, const std::filesystem::path& picture);
 
 /// The project that a command's argument names, changed.
 /// @throws ArgumentError if it is neither a project nor two pictures; as project::load and apply_changes.

@@ -33,8 +33,8 @@
 namespace morphkit::cli {
 namespace {
 
-constexpr int kUsualLines = 50;
-const cv::Size kUsualSize(1920, 1080);
+constexpr int kDefaultLines = 50;
+const cv::Size kDefaultSize(1920, 1080);
 constexpr double kMoment = 0.5;
 constexpr unsigned kSeed = 42;
 constexpr const char* kUnfinished = "nothing was measured to its end";
@@ -132,8 +132,8 @@ Material painted_material(const BenchOptions& options) {
   Material material;
   for (project::Picture& picture : material.project.pictures) picture.image = "painted";
   apply_changes(options.changes, material.project);
-  const cv::Size size = material.project.output.size.value_or(kUsualSize);
-  add_random_lines(options.lines.value_or(kUsualLines), size, material.project);
+  const cv::Size size = material.project.output.size.value_or(kDefaultSize);
+  add_random_lines(options.lines.value_or(kDefaultLines), size, material.project);
   for (const unsigned seed : {kSeed, kSeed + 1})
     material.footage.pictures.push_back(render::in_memory(painted(size, seed)));
   return material;

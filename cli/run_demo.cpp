@@ -39,8 +39,8 @@ std::vector<std::string> chosen_names(const DemoOptions& options) {
                           similar ? fmt::format("did you mean '{}'?", *similar) : "morphkit demo --list names them"));
 }
 
-void say_what_to_see(const samples::Sample& sample, const std::filesystem::path& project_file,
-                     const std::filesystem::path& rendered, Output& output) {
+void print_files(const samples::Sample& sample, const std::filesystem::path& project_file,
+                 const std::filesystem::path& rendered, Output& output) {
   output.line(fmt::format("{}: {}", sample.name, sample.title));
   for (const samples::PaintedPicture& picture : sample.pictures) {
     output.line(fmt::format("  {:<40} a picture", (project_file.parent_path() / picture.name).string()));
@@ -49,7 +49,7 @@ void say_what_to_see(const samples::Sample& sample, const std::filesystem::path&
   output.line(fmt::format("  {:<40} the morph: watch this", rendered.string()));
 }
 
-void say_what_is_next(const std::filesystem::path& project_file, Output& output) {
+void print_next_steps(const std::filesystem::path& project_file, Output& output) {
   const std::string file = project_file.string();
   output.line("\nTry next:");
   output.line(fmt::format("  morphkit edit {}", file));
@@ -74,7 +74,7 @@ std::filesystem::path demo_one(const std::string& name, const DemoOptions& optio
   if (options.frame_count > 0) morph.project.changes.sets = {fmt::format("output.frames={}", options.frame_count)};
   morph.overwrite = true;
   run_morph(morph, output);
-  say_what_to_see(sample, project_file, morph.output, output);
+  print_files(sample, project_file, morph.output, output);
   return project_file;
 }
 
@@ -89,7 +89,7 @@ int run_demo(const DemoOptions& options, Output& output) {
     const std::filesystem::path project_file = demo_one(name, options, video, output);
     if (first.empty()) first = project_file;
   }
-  say_what_is_next(first, output);
+  print_next_steps(first, output);
   return 0;
 }
 

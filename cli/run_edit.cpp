@@ -45,7 +45,7 @@ project::Project with_own_pictures(project::Project project) {
 
 cv::Size window_size(const std::string& text) {
   const cv::Size size = parse_size(text, "--window");
-  const cv::Size least = edit::kLeastCanvas;
+  const cv::Size least = edit::kMinCanvas;
   if (size.width < least.width || size.height < least.height || size.width > 7680 || size.height > 4320)
     throw ArgumentError("--window",
                         fmt::format("{} is out of range; from {}x{} to 7680x4320", text, least.width, least.height));
@@ -75,7 +75,7 @@ project::Project project_to_edit(const EditOptions& options) {
     return with_own_pictures(std::move(there));
   }
   for (project::Picture& picture : project.pictures)
-    if (picture.image.is_relative()) picture.image = seen_from(file, picture.image);
+    if (picture.image.is_relative()) picture.image = relative_to_project(file, picture.image);
   project.file = file;
   return project;
 }

@@ -48,8 +48,8 @@ int run_import(const ImportOptions& asked, Output& output) {
   if (options.output.extension() != ".json")
     throw ArgumentError(options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;
-  project.pictures[project::kSource].image = seen_from(options.output, options.source);
-  project.pictures[project::kDestination].image = seen_from(options.output, options.destination);
+  project.pictures[project::kSource].image = relative_to_project(options.output, options.source);
+  project.pictures[project::kDestination].image = relative_to_project(options.output, options.destination);
   const exchange::ImportInput input{options.files, picture_size(options.source), picture_size(options.destination)};
   const exchange::ImportReport report = as_asked([&] { return exchange::import_into(project, input); });
   project::save(project, options.output, options.overwrite);

@@ -60,8 +60,8 @@ NamedMesh project_mesh(const project::Project& project, project::SideIndex side,
   const project::Picture& named = project.pictures[side];
   const media::ImageInfo info = media::read_info(project::resolve(project, named.image));
   const cv::Size picture(info.width, info.height);
-  return {render::brought_to(render::mesh_on(*project::evaluate(project, {}).mesh, side, picture, project.file),
-                             picture, frame),
+  return {render::scaled_to(render::mesh_on(*project::evaluate(project, {}).mesh, side, picture, project.file), picture,
+                            frame),
           fmt::format("{}: /mesh/{}/", project.file.string(), render::name_of(side))};
 }
 

@@ -28,7 +28,7 @@ std::pair<double, double> severity(const Finding& finding) {
 }
 
 /// Lines that move past each other cross somewhere in between: only crossings half way are reported.
-bool is_told(const Finding& finding) {
+bool is_reported(const Finding& finding) {
   return finding.kind != Kind::kCrossing || finding.where != kInBetween || finding.t == 0.5;
 }
 
@@ -62,7 +62,7 @@ std::vector<Finding> check(const Renderer& renderer) {
   for (const double t : kMoments) {
     stop_if_asked();
     for (Finding& finding : renderer.warper(renderer.clock().at(t))->problems()) {
-      if (!is_told(finding)) continue;
+      if (!is_reported(finding)) continue;
       // The marks nearest to a fold change over time.
       const auto features = finding.kind == Kind::kFold ? std::vector<std::string>() : finding.features;
       const auto [place, is_new] = known.try_emplace({finding.kind, finding.where, features}, findings.size());

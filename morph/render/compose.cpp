@@ -182,7 +182,7 @@ void sample_side(const StageSide& side, const warp::Map& map, warp::Filter filte
       warp::kSampleBand);
 }
 
-void lay_over(warp::Image& image, const warp::Image& behind) {
+void composite_over(warp::Image& image, const warp::Image& behind) {
   if (behind.empty()) return;
   for_rows(image.rows, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

@@ -19,6 +19,6 @@ warp::Image draw_side(const Stage& stage, const Warper& warper, SideIndex side, 
 void sample_side(const StageSide& side, const warp::Map& map, warp::Filter filter, warp::Image& out);
 
 /// Lays the image over `behind`: empty (nothing), 1 x 1 (a colour) or of the image's size.
-void lay_over(warp::Image& image, const warp::Image& behind);
+void composite_over(warp::Image& image, const warp::Image& behind);
 
 }  // namespace morphkit::render

@@ -37,7 +37,7 @@ warp::Mesh mesh_on(const project::MomentMesh& mesh, SideIndex side, cv::Size pic
   return result;
 }
 
-warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
+warp::Mesh scaled_to(warp::Mesh mesh, cv::Size from, cv::Size to) {
   if (from == to) return mesh;
   for (cv::Point2d& vertex : mesh.vertices)
     vertex = {vertex.x * to.width / from.width, vertex.y * to.height / from.height};
@@ -51,7 +51,7 @@ std::vector<MeshSide> mesh_sides(const project::MomentMesh& mesh, const Stage& s
   for (SideIndex side = 0; side < stage.sides.size(); ++side) {
     const StageSide& picture = stage.sides[side];
     const warp::Mesh file = mesh_on(mesh, side, picture.file_size, project_file);
-    sides.push_back({file, brought_to(file, picture.file_size, picture.image.size()), on_canvas(file, picture.file)});
+    sides.push_back({file, scaled_to(file, picture.file_size, picture.image.size()), on_canvas(file, picture.file)});
   }
   return sides;
 }

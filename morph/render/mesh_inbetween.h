@@ -28,7 +28,7 @@ warp::Mesh mesh_on(const project::MomentMesh& mesh, SideIndex side, cv::Size pic
 
 /// A mesh over a picture, scaled to another size; border vertices exactly on the border. With equal sizes it stays the
 /// same to the bit.
-warp::Mesh brought_to(warp::Mesh mesh, cv::Size from, cv::Size to);
+warp::Mesh scaled_to(warp::Mesh mesh, cv::Size from, cv::Size to);
 
 /// In the order of the pictures. @throws Error as mesh_on.
 std::vector<MeshSide> mesh_sides(const project::MomentMesh& mesh, const Stage& stage,

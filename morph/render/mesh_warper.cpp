@@ -39,7 +39,7 @@ std::vector<WeightRange> weights_of(const project::Moment& moment) {
 }
 
 /// Weights of the corners a, b, c of a triangle at x, which add up to 1; nullopt for a triangle without area.
-std::optional<std::array<double, 3>> weights_in(cv::Point2d a, cv::Point2d b, cv::Point2d c, cv::Point2d x) {
+std::optional<std::array<double, 3>> barycentric(cv::Point2d a, cv::Point2d b, cv::Point2d c, cv::Point2d x) {
   const double area = (b - a).cross(c - a);
   if (area == 0) return std::nullopt;
   const double at_b = (x - a).cross(c - a) / area, at_c = (b - a).cross(x - a) / area;
@@ -51,7 +51,7 @@ std::optional<cv::Point2d> carried(const warp::Mesh& here, const warp::Mesh& the
   double best = -std::numeric_limits<double>::infinity();
   std::optional<cv::Point2d> result;
   const auto look_at = [&](std::size_t a, std::size_t b, std::size_t c) {
-    const auto weights = weights_in(here.vertices[a], here.vertices[b], here.vertices[c], x);
+    const auto weights = barycentric(here.vertices[a], here.vertices[b], here.vertices[c], x);
     if (!weights) return;
     const double inside = std::ranges::min(*weights);
     if (!(inside > best)) return;

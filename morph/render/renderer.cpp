@@ -33,7 +33,7 @@ warp::Image Renderer::frame(project::Time time) const {
   const project::Moment now = moment(time);
   plan_->require(now);
   warp::Image out = compose(stage(), *plan_->at(now), project().warp.filter, project().blend);
-  lay_over(out, stage().behind);
+  composite_over(out, stage().behind);
   return out;
 }
 

@@ -109,9 +109,9 @@ TEST(ProjectChanges, EveryCommandThatTakesAProjectTakesThem) {
 TEST(SeenFrom, BeginsAtTheFolderOfTheProject) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "projects/new");
-  EXPECT_EQ(seen_from("pair.json", "a.png"), "a.png");
-  EXPECT_EQ(seen_from("projects/pair.json", "plates/a.png"), "../plates/a.png");
-  EXPECT_EQ(seen_from(folder / "projects/pair.json", folder / "a.png"), "../a.png");
+  EXPECT_EQ(relative_to_project("pair.json", "a.png"), "a.png");
+  EXPECT_EQ(relative_to_project("projects/pair.json", "plates/a.png"), "../plates/a.png");
+  EXPECT_EQ(relative_to_project(folder / "projects/pair.json", folder / "a.png"), "../a.png");
 }
 
 TEST(SeenFrom, FollowsLinksOfFoldersAndKeepsThePicturesName) {
@@ -120,7 +120,7 @@ TEST(SeenFrom, FollowsLinksOfFoldersAndKeepsThePicturesName) {
   std::filesystem::create_directory_symlink("shots/one", folder / "link");
   test::write_text(folder / "real.png", "");
   std::filesystem::create_symlink("real.png", folder / "a.png");
-  EXPECT_EQ(seen_from(folder / "link/pair.json", folder / "a.png"), "../../a.png");
+  EXPECT_EQ(relative_to_project(folder / "link/pair.json", folder / "a.png"), "../../a.png");
 }
 
 class SetOption : public testing::Test {

@@ -152,7 +152,7 @@ TEST(CanvasGolden, OnionSkinAndFolds) {
   Scene scene = scene_with(10);
   Model& model = scene.model;
   model.document.select({{0, 1, 2}, {}});
-  model.document.swap_end_on(project::kDestination);  // the line is reversed, so the map folds
+  model.document.swap_ends_on(project::kDestination);  // the line is reversed, so the map folds
   model.switches.onion = true;
   model.t = 0.35;
   model.playing = true;
@@ -194,7 +194,7 @@ TEST(PreviewGolden, FoldsOfASideThatDoesNotShowYetAreNotPainted) {
   for (project::Group& group : project.groups) group.pace = {};
   scene.model.document.replace(project);
   scene.model.document.select({{0, 1, 2}, {}});
-  scene.model.document.swap_end_on(project::kDestination);  // turned over: folds
+  scene.model.document.swap_ends_on(project::kDestination);  // turned over: folds
   scene.model.t = 0.3;
   expect_looks("preview-folds", result_of(scene));
 }
@@ -221,7 +221,7 @@ TEST(CanvasGolden, Help) {
 }
 
 TEST(CanvasGolden, HelpOnTheSmallestCanvas) {
-  Scene scene = scene_of("portraits", false, kLeastCanvas);
+  Scene scene = scene_of("portraits", false, kMinCanvas);
   scene.model.help = true;
   expect_looks("canvas-help-small", scene.drawn());
 }
@@ -235,7 +235,7 @@ TEST(CanvasGolden, Question) {
 }
 
 TEST(CanvasGolden, BrightAndDarkPicturesAndALineOfText) {
-  Scene scene(plain({640, 480}, 0.6f, 1.0f), plain({500, 600}, 0.0f, 0.03f), {}, kLeastCanvas);
+  Scene scene(plain({640, 480}, 0.6f, 1.0f), plain({500, 600}, 0.0f, 0.03f), {}, kMinCanvas);
   Model& model = scene.model;
   model.file_name = "ein sehr langer Name f\u00fcr ein Projekt, der nirgends hineinpasst.json";
   for (int i = 0; i < 5; ++i) model.document.add_line(project::kSource, {80.0 + 100 * i, 80}, {130.0 + 100 * i, 200});
@@ -264,8 +264,8 @@ TEST(Canvas, DrawsEqualModelsEqually) {
 }
 
 TEST(Canvas, DrawsAtEverySizeAndZoom) {
-  for (const cv::Size size : {kLeastCanvas, cv::Size(1600, 900), cv::Size(1100, 1000), cv::Size(3840, 2160)})
-    for (const double zoom : {kLeastZoom, 1.0, kMostZoom}) {
+  for (const cv::Size size : {kMinCanvas, cv::Size(1600, 900), cv::Size(1100, 1000), cv::Size(3840, 2160)})
+    for (const double zoom : {kMinZoom, 1.0, kMaxZoom}) {
       SCOPED_TRACE(std::to_string(size.width) + " " + std::to_string(zoom));
       Scene scene(plain({64, 48}, 0, 1), plain({48, 64}, 0, 1), {}, size);
       scene.model.document.add_line(project::kSource, {-90000, 3}, {90000, 20});

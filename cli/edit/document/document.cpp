@@ -17,7 +17,7 @@ using project::Feature;
 using project::Project;
 
 /// Rising, each once, below `count`.
-std::vector<int> tidied(std::vector<int> indices, std::size_t count) {
+std::vector<int> sorted_unique(std::vector<int> indices, std::size_t count) {
   std::erase_if(indices, [&](int i) { return i < 0 || static_cast<std::size_t>(i) >= count; });
   std::ranges::sort(indices);
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -36,7 +36,7 @@ std::size_t vertex_count(const Project& project) {
 }
 
 /// A mesh does not support mirrored borders, and removing the last feature may switch the method to the mesh.
-void settle(Project& project) {
+void drop_unsupported_border(Project& project) {
   const bool mirrors = project.warp.border == warp::Border::kMirror;
   if (mirrors && project::method_name_of(project) == project::MethodName::kMesh) project.warp.border.reset();
 }
@@ -60,7 +60,7 @@ const project::Evaluator& Document::moments() const {
 void Document::change(const std::function<void(Project&)>& edit) {
   State before = state_;
   edit(state_.project);
-  settle(state_.project);
+  drop_unsupported_border(state_.project);
   if (project::same_document(before.project, state_.project)) return;
   touch();
   if (!before_) history_.push(before);
@@ -129,8 +129,8 @@ void Document::replace(Project project) {
 }
 
 void Document::select(Selection selection) {
-  state_.selection = {tidied(std::move(selection.features), project().features.size()),
-                      tidied(std::move(selection.vertices), vertex_count(project()))};
+  state_.selection = {sorted_unique(std::move(selection.features), project().features.size()),
+                      sorted_unique(std::move(selection.vertices), vertex_count(project()))};
 }
 
 void Document::select_all_features() {
@@ -150,7 +150,7 @@ cv::Point2d Document::counterpart(SideIndex side, cv::Point2d position) const {
 }
 
 int Document::add(Feature feature) {
-  if (!sound(feature) || project().features.size() >= project::kMaxFeatures) return -1;
+  if (!is_valid(feature) || project().features.size() >= project::kMaxFeatures) return -1;
   const int index = static_cast<int>(project().features.size());
   change([&](Project& project) {
     feature.id = free_id(project, feature.mark);
@@ -168,15 +168,15 @@ cv::Point2d Document::partner_end(SideIndex side, cv::Point2d start, cv::Point2d
   const cv::Point2d arm = to - from;
   const cv::Point2d middle(size.width / 2.0, size.height / 2.0);
   const bool outwards = arm.dot(middle - start) < 0;
-  const cv::Point2d end = kept(outwards ? start - arm : start + arm);
+  const cv::Point2d end = clamped(outwards ? start - arm : start + arm);
   // A tiny line disappears by rounding; any length above 0 is good enough.
   return end != start ? end : start + cv::Point2d(start.x < middle.x ? 1 : -1, 0);
 }
 
 int Document::add_line(SideIndex side, cv::Point2d from, cv::Point2d to) {
   if (!finite(from) || !finite(to)) return -1;
-  from = kept(from);
-  to = kept(to);
+  from = clamped(from);
+  to = clamped(to);
   if (from == to) return -1;
   Feature feature;
   points_of(feature, side) = {from, to};
@@ -191,8 +191,8 @@ int Document::add_point(SideIndex side, cv::Point2d at) {
   if (!finite(at)) return -1;
   Feature feature;
   feature.mark = project::Point{};
-  points_of(feature, side) = {kept(at)};
-  points_of(feature, other(side)) = {counterpart(side, kept(at))};
+  points_of(feature, side) = {clamped(at)};
+  points_of(feature, other(side)) = {counterpart(side, clamped(at))};
   return add(std::move(feature));
 }
 
@@ -202,14 +202,14 @@ int Document::add_curve(SideIndex side, const std::vector<cv::Point2d>& points, 
   const project::Curve curve{.closed = closed};
   feature.mark = curve;
   Points& here = points_of(feature, side);
-  for (const cv::Point2d& point : points) here.push_back(kept(point));
+  for (const cv::Point2d& point : points) here.push_back(clamped(point));
   if (here.size() > project::kMaxPoints || motion::Curve::problem(curve.kind, here, closed)) return -1;
   Points& there = points_of(feature, other(side));
   there = counterparts(side, here);
-  if (!sound(feature)) {
+  if (!is_valid(feature)) {
     // Carried out of the picture and back to its border, the partner has lost its shape: it gets the one drawn.
     const cv::Point2d by = there.front() - here.front();
-    for (std::size_t i = 0; i < here.size(); ++i) there[i] = kept(here[i] + by);
+    for (std::size_t i = 0; i < here.size(); ++i) there[i] = clamped(here[i] + by);
   }
   return add(std::move(feature));
 }
@@ -242,7 +242,7 @@ void Document::erase_selected() {
     }
     std::size_t i = 0;
     std::erase_if(project.features, [&](const Feature&) { return goes[i++]; });
-    drop_idle_groups(project, left);
+    remove_unused_groups(project, left);
     state_.selection.features.clear();
   });
 }
@@ -270,7 +270,7 @@ void Document::swap_ends_selected() {
   });
 }
 
-void Document::swap_end_on(SideIndex side) {
+void Document::swap_ends_on(SideIndex side) {
   change_selected([&](Feature& feature) { reverse(feature, side); });
 }
 
@@ -297,7 +297,7 @@ std::optional<std::string> Document::group_selected(const std::string& group) {
       if (feature.group != group) left.insert(std::exchange(feature.group, group));
     }
     add_group(project, group);
-    drop_idle_groups(project, left);
+    remove_unused_groups(project, left);
   });
   return std::nullopt;
 }

@@ -81,7 +81,7 @@ class Document {
   void erase_selected();                               ///< features only
   void duplicate_selected(cv::Point2d by);             ///< copies with new ids, moved on both sides, selected
   void swap_ends_selected();                           ///< of lines and open curves, on both sides: the same warp
-  void swap_end_on(SideIndex side);  ///< of the selected, on one side: repairs a line drawn in the opposite direction
+  void swap_ends_on(SideIndex side);  ///< of the selected, on one side: repairs a line drawn in the opposite direction
   /// @return what is wrong with the name (empty, taken), or nothing.
   std::optional<std::string> rename(int feature, const std::string& id);
   /// Puts the selected features into the group, which is made if necessary; empty: into none. Removes groups that are
@@ -92,7 +92,7 @@ class Document {
   double tuning(Tuning which) const;       ///< effective, of the first selected feature
   bool tuning_is_own(Tuning which) const;  ///< whether it is set there, not inherited
   void tune(Tuning which, double value);   ///< clamped to what the project file allows
-  void untune();                           ///< the selected features inherit these numbers and timings again
+  void reset_tuning();                     ///< the selected features inherit these numbers and timings again
   motion::Timing timing(TimingKind which) const;
   /// Each feature keeps its delay and duration. Does nothing if the project file would refuse the result.
   void set_easing(TimingKind which, const motion::Easing& easing);

@@ -22,7 +22,7 @@ using project::Project;
 constexpr SideIndex kSides[] = {project::kSource, project::kDestination};
 
 /// Default number of vertices of a new mesh, in each direction.
-constexpr int kUsualMesh = 5;
+constexpr int kDefaultMesh = 5;
 
 std::vector<cv::Point2d>& vertices_of(project::Mesh& mesh, SideIndex side) {
   return mesh.vertices[side];
@@ -43,7 +43,7 @@ bool allowed(int columns, int rows) {
 void lay_mesh(Project& project, int columns, int rows) {
   const std::set<std::string> left = groups_of(project.mesh);
   project.mesh = project::Mesh{.columns = columns, .rows = rows, .vertices = {{}, {}}, .groups = {}};
-  drop_idle_groups(project, left);
+  remove_unused_groups(project, left);
 }
 
 /// Rows are the columns of the transposed mesh: operations on either are written for columns.
@@ -121,7 +121,7 @@ std::vector<int> renumbered(const std::vector<int>& vertices, int columns, int n
 
 void Document::set_method(project::MethodName method) {
   change([&](Project& project) {
-    if (method == project::MethodName::kMesh && !project.mesh) lay_mesh(project, kUsualMesh, kUsualMesh);
+    if (method == project::MethodName::kMesh && !project.mesh) lay_mesh(project, kDefaultMesh, kDefaultMesh);
     if (project::method_name_of(project) != method) project.warp.method = method;
   });
 }
@@ -153,7 +153,7 @@ void Document::move_vertices(std::span<const int> vertices, SideIndex side, cv::
     cv::Point2d& at = after[static_cast<std::size_t>(vertex)];
     if (column > 0 && column + 1 < columns) at.x = std::clamp(at.x + by.x, 0.0, static_cast<double>(size.width));
     if (row > 0 && row + 1 < rows) at.y = std::clamp(at.y + by.y, 0.0, static_cast<double>(size.height));
-    at = settled(at);
+    at = rounded_off(at);
   }
   if (after == before) return;
   change([&](Project& project) { vertices_of(*project.mesh, side) = std::move(after); });
@@ -168,7 +168,7 @@ void Document::change_mesh(bool columns, const std::function<void(project::Mesh&
     if (!columns) transpose(*project.mesh);
     edit(*project.mesh);
     if (!columns) transpose(*project.mesh);
-    drop_idle_groups(project, left);
+    remove_unused_groups(project, left);
     state_.selection.vertices = renumbered(selection().vertices, old_columns, project.mesh->columns, columns, moved);
   });
 }

@@ -87,7 +87,7 @@ void Document::tune(Tuning which, double value) {
   }
 }
 
-void Document::untune() {
+void Document::reset_tuning() {
   change_selected([](project::Feature& feature) {
     feature.pull.a = feature.pull.b = feature.pull.p = std::nullopt;
     feature.pace = {};

@@ -12,7 +12,7 @@ void add_group(Project& project, const std::string& id) {
   project.groups.push_back({id, {}, {}});
 }
 
-void drop_idle_groups(Project& project, const std::set<std::string>& left) {
+void remove_unused_groups(Project& project, const std::set<std::string>& left) {
   std::set<std::string_view> used;
   for (const project::Feature& feature : project.features) used.insert(feature.group);
   if (project.mesh) {

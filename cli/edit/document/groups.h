@@ -13,6 +13,6 @@ void add_group(project::Project& project, const std::string& id);
 
 /// Removes the groups in `left` (groups that lost members) that are empty now and have no settings. Parts of a mesh are
 /// members like features.
-void drop_idle_groups(project::Project& project, const std::set<std::string>& left);
+void remove_unused_groups(project::Project& project, const std::set<std::string>& left);
 
 }  // namespace morphkit::edit

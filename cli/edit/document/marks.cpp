@@ -21,7 +21,7 @@ using project::Mark;
 using project::SideIndex;
 
 bool within_limits(const Points& points) {
-  return std::ranges::all_of(points, [](cv::Point2d p) { return finite(p) && p == kept(p); });
+  return std::ranges::all_of(points, [](cv::Point2d p) { return finite(p) && p == clamped(p); });
 }
 
 bool ends_meet(const Points& points) {
@@ -61,12 +61,12 @@ bool finite(cv::Point2d point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-cv::Point2d settled(cv::Point2d point) {
+cv::Point2d rounded_off(cv::Point2d point) {
   constexpr double kSteps = 1e6;
   return {std::round(point.x * kSteps) / kSteps, std::round(point.y * kSteps) / kSteps};
 }
 
-cv::Point2d kept(cv::Point2d point) {
+cv::Point2d clamped(cv::Point2d point) {
   return {std::clamp(point.x, -kMaxCoordinate, kMaxCoordinate), std::clamp(point.y, -kMaxCoordinate, kMaxCoordinate)};
 }
 
@@ -75,7 +75,7 @@ bool is_closed(const Mark& mark) {
   return curve != nullptr && curve->closed;
 }
 
-bool sound(const Feature& feature) {
+bool is_valid(const Feature& feature) {
   const auto good = [&](const Points& points) { return within_limits(points) && fits(feature.mark, points); };
   if (!std::ranges::all_of(feature.places, good)) return false;
   if (std::holds_alternative<project::Point>(feature.mark) || is_closed(feature.mark)) return true;
@@ -88,9 +88,9 @@ bool move_point(Feature& feature, SideIndex side, std::size_t point, cv::Point2d
   if (point >= points.size() || !finite(to)) return false;
   const bool both_ends = is_joined(feature) && (point == 0 || point + 1 == points.size());
   Points before = points;
-  points[point] = kept(to);
-  if (both_ends) points.front() = points.back() = kept(to);
-  const bool good = sound(feature);
+  points[point] = clamped(to);
+  if (both_ends) points.front() = points.back() = clamped(to);
+  const bool good = is_valid(feature);
   if (!good) points = std::move(before);
   return good;
 }
@@ -102,8 +102,8 @@ bool move_all(Feature& feature, SideIndex side, cv::Point2d by) {
   const auto [top, bottom] = std::ranges::minmax(points, {}, &cv::Point2d::y);
   const cv::Point2d step{limited(by.x, left.x, right.x), limited(by.y, top.y, bottom.y)};
   Points before = points;
-  for (cv::Point2d& point : points) point = kept(settled(point + step));
-  const bool good = sound(feature);
+  for (cv::Point2d& point : points) point = clamped(rounded_off(point + step));
+  const bool good = is_valid(feature);
   if (!good) points = std::move(before);
   return good;
 }
@@ -113,7 +113,7 @@ void reverse(Feature& feature, SideIndex side) {
   std::reverse(points.begin() + (is_closed(feature.mark) ? 1 : 0), points.end());
 }
 
-std::string_view word_for(const Mark& mark) {
+std::string_view kind_name(const Mark& mark) {
   constexpr std::array kWords{"line", "point", "curve"};
   return kWords[mark.index()];
 }
@@ -122,7 +122,7 @@ std::string free_id(const project::Project& project, const Mark& mark) {
   std::set<std::string_view> taken;
   for (const Feature& feature : project.features) taken.insert(feature.id);
   for (std::size_t number = 1;; ++number) {
-    std::string id = fmt::format("{} {}", word_for(mark), number);
+    std::string id = fmt::format("{} {}", kind_name(mark), number);
     if (!taken.contains(id)) return id;
   }
 }

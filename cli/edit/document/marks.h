@@ -19,16 +19,16 @@ const Points& points_of(const project::Feature& feature, project::SideIndex side
 bool finite(cv::Point2d point);
 
 /// Rounds to a millionth of a px, to drop digits such as those of 0.30000000000000004.
-cv::Point2d settled(cv::Point2d point);
+cv::Point2d rounded_off(cv::Point2d point);
 
 /// Within +-kMaxCoordinate. @pre finite.
-cv::Point2d kept(cv::Point2d point);
+cv::Point2d clamped(cv::Point2d point);
 
 /// Whether the mark is a closed curve.
 bool is_closed(const project::Mark& mark);
 
 /// Whether a project file accepts the feature's places: both sides fit its kind and lie within kMaxCoordinate.
-bool sound(const project::Feature& feature);
+bool is_valid(const project::Feature& feature);
 
 /// Moves one point; both ends of an open curve or of a line that lie at the same place on both sides move together.
 /// @return whether the result is valid; if not, the feature is unchanged.
@@ -41,7 +41,7 @@ bool move_all(project::Feature& feature, project::SideIndex side, cv::Point2d by
 void reverse(project::Feature& feature, project::SideIndex side);
 
 /// "line", "point" or "curve".
-std::string_view word_for(const project::Mark& mark);
+std::string_view kind_name(const project::Mark& mark);
 
 /// "line 3": with the smallest number that is free.
 std::string free_id(const project::Project& project, const project::Mark& mark);

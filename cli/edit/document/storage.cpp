@@ -96,8 +96,8 @@ bool Storage::changed_by_others() {
 
 bool Storage::new_change_by_others() {
   const std::optional<Stamp> now = stamp();
-  if (now == told_ || !changed_by_others()) return false;
-  told_ = now;
+  if (now == reported_ || !changed_by_others()) return false;
+  reported_ = now;
   return true;
 }
 

@@ -69,7 +69,7 @@ class Storage {
   std::filesystem::path file_;
   std::optional<std::string> known_;  ///< text of the file when last read or written; nothing: no file
   std::optional<Stamp> stamp_;        ///< of `known_`
-  std::optional<Stamp> told_;         ///< of the last change that `new_change_by_others` reported
+  std::optional<Stamp> reported_;     ///< of the last change that `new_change_by_others` reported
   std::optional<std::string> read_;   ///< text of the last `read`
   std::optional<Stamp> read_stamp_;
   std::future<std::string> writing_;  ///< gives the error message

@@ -34,9 +34,9 @@ void use_next_method(Document& document) {
 
 }  // namespace
 
-std::optional<Wish> Actions::perform(const Action& action) {
+std::optional<EditorRequest> Actions::perform(const Action& action) {
   return std::visit(
-      [&](auto what) -> std::optional<Wish> {
+      [&](auto what) -> std::optional<EditorRequest> {
         if constexpr (std::is_same_v<decltype(what), Command>) {
           return perform_command(what);
         } else {
@@ -47,9 +47,9 @@ std::optional<Wish> Actions::perform(const Action& action) {
       action);
 }
 
-std::optional<Wish> Actions::perform_command(Command command) {
-  if (command == Command::kSave) return Wish::kSave;
-  if (command == Command::kClose) return Wish::kClose;
+std::optional<EditorRequest> Actions::perform_command(Command command) {
+  if (command == Command::kSave) return EditorRequest::kSave;
+  if (command == Command::kClose) return EditorRequest::kClose;
   if (!tools_.perform(command) && !perform_on_marks(context_, command)) perform_other(command);
   return std::nullopt;
 }
@@ -76,7 +76,7 @@ void Actions::perform_other(Command command) {
     case Command::kNextShow:
       return perform_value(next(model.show));
     case Command::kInherit:
-      return model.document.untune();
+      return model.document.reset_tuning();
     case Command::kNextMethod:
       return use_next_method(model.document);
     case Command::kHelp:

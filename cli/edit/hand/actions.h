@@ -19,10 +19,10 @@ class Actions {
       : context_(context), tools_(tools), entry_(entry), playback_(playback) {}
 
   /// Sliders do nothing here: they are dragged.
-  std::optional<Wish> perform(const Action& action);
+  std::optional<EditorRequest> perform(const Action& action);
 
  private:
-  std::optional<Wish> perform_command(Command command);
+  std::optional<EditorRequest> perform_command(Command command);
   void perform_other(Command command);  ///< commands of no tool and on no mark
 
   void perform_value(ToolId tool) { tools_.choose(tool); }

@@ -40,7 +40,7 @@ bool same_pictures(const project::Project& a, const project::Project& b) {
 }
 
 /// The project as its file has it; without a file, its pictures. What it came with beyond that is the first change.
-project::Project beginning(const project::Project& project) {
+project::Project last_saved(const project::Project& project) {
   if (project.original) return project::parse(*project.original, project.file);
   project::Project begun;
   begun.pictures = project.pictures;
@@ -54,7 +54,7 @@ Editor::Editor(project::Project project, const render::Footage& footage, cv::Siz
     : source_(footage.pictures[project::kSource].at(1)),
       destination_(footage.pictures[project::kDestination].at(1)),
       background_(footage.background ? std::optional<Pyramid>(footage.background->at(1)) : std::nullopt),
-      model_(beginning(project), source_.size(), destination_.size(), canvas),
+      model_(last_saved(project), source_.size(), destination_.size(), canvas),
       gestures_(model_, edges_of(source_, destination_)),
       storage_(model_.document.project()),
       canvas_(source_, destination_),
@@ -96,19 +96,19 @@ std::string Editor::title() const {
 
 void Editor::mouse(const Mouse& event) {
   if (event.what == Mouse::What::kPress) model_.message.clear();
-  grant(gestures_.mouse(event));
+  handle_request(gestures_.mouse(event));
   dirty_ = true;
 }
 
 void Editor::key(int key) {
   model_.message.clear();
-  grant(gestures_.key(key));
+  handle_request(gestures_.key(key));
   dirty_ = true;
 }
 
-void Editor::grant(std::optional<Wish> wish) {
-  if (wish == Wish::kSave) save(false);
-  if (wish == Wish::kClose) close();
+void Editor::handle_request(std::optional<EditorRequest> request) {
+  if (request == EditorRequest::kSave) save(false);
+  if (request == EditorRequest::kClose) close();
 }
 
 void Editor::say(std::string message) {

@@ -27,7 +27,7 @@ class Editor {
  public:
   /// @param project   its `file` need not exist.
   /// @param footage   the pictures of the project; their pixels are shared.
-  /// @param canvas    size of the window, px, at least kLeastCanvas.
+  /// @param canvas    size of the window, px, at least kMinCanvas.
   Editor(project::Project project, const render::Footage& footage, cv::Size canvas);
 
   void mouse(const Mouse& event);
@@ -58,7 +58,7 @@ class Editor {
  private:
   enum class Asked { kNothing, kRestore, kClose, kOverwrite };
 
-  void grant(std::optional<Wish> wish);
+  void handle_request(std::optional<EditorRequest> request);
   void ask(Asked what, Question question);
   void offer_recovery();
   void set_recovery_aside();

@@ -16,15 +16,15 @@ Gestures::Gestures(Model& model, EdgeFinder edges)
       playback_(model),
       actions_(context_, tools_, entry_, playback_) {}
 
-std::optional<Wish> Gestures::mouse(const Mouse& mouse) {
+std::optional<EditorRequest> Gestures::mouse(const Mouse& mouse) {
   model().mouse = mouse.position;
-  std::optional<Wish> wish;
+  std::optional<EditorRequest> request;
   switch (mouse.what) {
     case Mouse::What::kPress:
-      wish = press(mouse, false);
+      request = press(mouse, false);
       break;
     case Mouse::What::kDoubleClick:
-      wish = press(mouse, true);
+      request = press(mouse, true);
       break;
     case Mouse::What::kMove:
       move(mouse);
@@ -37,10 +37,10 @@ std::optional<Wish> Gestures::mouse(const Mouse& mouse) {
       break;
   }
   update_hover();
-  return wish;
+  return request;
 }
 
-std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
+std::optional<EditorRequest> Gestures::press(const Mouse& mouse, bool again) {
   release(mouse);  // if the release of the last press was lost
   if (model().help && !model().question) {
     model().help = false;
@@ -58,7 +58,7 @@ std::optional<Wish> Gestures::press(const Mouse& mouse, bool again) {
   return std::nullopt;
 }
 
-std::optional<Wish> Gestures::press_widget(const Widget& widget, cv::Point position) {
+std::optional<EditorRequest> Gestures::press_widget(const Widget& widget, cv::Point position) {
   if (!widget.enabled) return std::nullopt;
   if (!widget.slider) return actions_.perform(widget.action);
   if (slider_grip(widget, context_.panes().scale).contains(position))
@@ -92,13 +92,13 @@ void Gestures::release(const Mouse& mouse) {
   model().snapped.reset();
 }
 
-std::optional<Wish> Gestures::key(int key) {
-  const std::optional<Wish> wish = press_key(key);
+std::optional<EditorRequest> Gestures::key(int key) {
+  const std::optional<EditorRequest> request = press_key(key);
   update_hover();
-  return wish;
+  return request;
 }
 
-std::optional<Wish> Gestures::press_key(int key) {
+std::optional<EditorRequest> Gestures::press_key(int key) {
   if (model().question) {
     answer_question(model(), key);
   } else if (model().entry) {

@@ -22,18 +22,18 @@ class Gestures {
   Gestures(const Gestures&) = delete;
   Gestures& operator=(const Gestures&) = delete;
 
-  std::optional<Wish> mouse(const Mouse& mouse);
-  std::optional<Wish> key(int key);
+  std::optional<EditorRequest> mouse(const Mouse& mouse);
+  std::optional<EditorRequest> key(int key);
   /// Time passes; playing goes on.
   void tick(double seconds) { playback_.tick(seconds); }
 
  private:
-  std::optional<Wish> press(const Mouse& mouse, bool again);
-  std::optional<Wish> press_widget(const Widget& widget, cv::Point position);
+  std::optional<EditorRequest> press(const Mouse& mouse, bool again);
+  std::optional<EditorRequest> press_widget(const Widget& widget, cv::Point position);
   void press_pane(const Press& press);
   void move(const Mouse& mouse);
   void release(const Mouse& mouse);
-  std::optional<Wish> press_key(int key);
+  std::optional<EditorRequest> press_key(int key);
   void cancel_drag();
   void update_hover();
   Model& model() const { return context_.model(); }

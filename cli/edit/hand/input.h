@@ -16,6 +16,6 @@ struct Mouse {
 };
 
 /// What only the editor can do.
-enum class Wish { kSave, kClose };
+enum class EditorRequest { kSave, kClose };
 
 }  // namespace morphkit::edit

@@ -51,7 +51,7 @@ bool perform_on_marks(const ToolContext& context, Command command) {
       held.reset();
       return true;
     case Command::kSwapEndsHere:
-      document.swap_end_on(context.active_side());
+      document.swap_ends_on(context.active_side());
       held.reset();
       return true;
     case Command::kDuplicate:

@@ -10,9 +10,9 @@ namespace morphkit::edit {
 namespace {
 
 /// Least gradient of an edge: code values per px, and times the median around it.
-constexpr double kLeastGradient = 14;
+constexpr double kMinGradient = 14;
 constexpr double kOutstanding = 2;
-constexpr double kLeastWindow = 6;  ///< half size of the window of the median, px
+constexpr double kMinWindow = 6;  ///< half size of the window of the median, px
 
 /// Green stands for brightness: it has the largest share and needs no sum.
 double brightness(const cv::Mat3b& picture, int x, int y) {
@@ -61,7 +61,7 @@ cv::Rect around(cv::Point2d centre, double reach, cv::Size size) {
 }
 
 /// The median.
-double usual_strength(const cv::Mat3b& picture, const cv::Rect& window) {
+double median_strength(const cv::Mat3b& picture, const cv::Rect& window) {
   std::vector<double> strengths;
   strengths.reserve(static_cast<std::size_t>(window.area()));
   for (int y = window.y; y < window.br().y; ++y)
@@ -81,9 +81,9 @@ std::optional<cv::Point2d> strongest_edge(const Pyramid& picture, cv::Point2d po
   const cv::Point2d centre(position.x * shrink.x, position.y * shrink.y);
   const double reach = radius * std::min(shrink.x, shrink.y);
   // When magnified the reach is a fraction of a pixel, so the median needs a larger window.
-  const cv::Rect window = around(centre, std::max(reach, kLeastWindow), level.size());
+  const cv::Rect window = around(centre, std::max(reach, kMinWindow), level.size());
   if (window.empty()) return std::nullopt;
-  const double least = std::max(kLeastGradient, kOutstanding * usual_strength(level, window));
+  const double least = std::max(kMinGradient, kOutstanding * median_strength(level, window));
 
   std::optional<cv::Point2d> found;
   double best = 0;

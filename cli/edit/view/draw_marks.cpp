@@ -13,7 +13,7 @@
 namespace morphkit::edit {
 namespace {
 
-constexpr std::size_t kMostNumbered = 32;  ///< with more features, only selected and hovered ones are numbered
+constexpr std::size_t kMaxNumbered = 32;  ///< with more features, only selected and hovered ones are numbered
 
 /// Draws on one pane.
 struct Pen {
@@ -111,7 +111,7 @@ void draw_feature(const Pen& pen, const Model& model, const project::Moment& mom
   const auto& held = model.held ? model.held : model.hover;
   if (held && held->feature == index && held->point >= 0 && static_cast<std::size_t>(held->point) < points.size())
     ring(pen.pane, points[static_cast<std::size_t>(held->point)], 8 * pen.scale, palette::kLight, pen.px(1.6));
-  if (look.marked || moment.features->size() <= kMostNumbered)
+  if (look.marked || moment.features->size() <= kMaxNumbered)
     draw_number(pen, outline[outline.size() / 2], index, look);
 }
 

@@ -16,8 +16,8 @@ namespace {
 // In units of the scale: px on a canvas of 1600x900.
 constexpr double kMargin = 8, kGap = 4, kGroupGap = 18, kButton = 28;
 constexpr double kLetter = 8.2, kPadding = 18;
-constexpr double kSliderLabel = 27, kSliderValue = 62, kLeastSlider = 140, kMostSlider = 230;
-constexpr double kMostA = 100, kMostB = 4;
+constexpr double kSliderLabel = 27, kSliderValue = 62, kMinSlider = 140, kMaxSlider = 230;
+constexpr double kMaxA = 100, kMaxB = 4;
 
 double width_of(std::string_view label) {
   return kLetter * static_cast<double>(label.size()) + kPadding;
@@ -123,7 +123,7 @@ void add_tuning(Layout& layout, const Model& model) {
   const Document& document = model.document;
   const double buttons = kTarget + 2 * (kEasing + kGap) + width_of("Inherit") + width_of("Warp: lines") + 3 * kGroupGap;
   const double room = layout.tuning.width / layout.scale - buttons;
-  const double slider = std::clamp(room / 3 - kGap, kLeastSlider, kMostSlider);
+  const double slider = std::clamp(room / 3 - kGap, kMinSlider, kMaxSlider);
 
   Row row(layout, layout.tuning, kTarget);
   const std::pair<Tuning, const char*> sliders[] = {{Tuning::kA, "a"}, {Tuning::kB, "b"}, {Tuning::kP, "p"}};
@@ -195,9 +195,9 @@ double tuning_from_slider(Tuning which, double slider) {
   const auto hundredths = [](double value) { return std::round(100 * value) / 100; };
   switch (which) {
     case Tuning::kA:
-      return hundredths(kMostA * knob * knob);
+      return hundredths(kMaxA * knob * knob);
     case Tuning::kB:
-      return hundredths(kMostB * knob);
+      return hundredths(kMaxB * knob);
     case Tuning::kP:
       return hundredths(knob);
   }
@@ -207,9 +207,9 @@ double tuning_from_slider(Tuning which, double slider) {
 double slider_from_tuning(Tuning which, double value) {
   switch (which) {
     case Tuning::kA:
-      return std::clamp(std::sqrt(value / kMostA), 0.0, 1.0);
+      return std::clamp(std::sqrt(value / kMaxA), 0.0, 1.0);
     case Tuning::kB:
-      return std::clamp(value / kMostB, 0.0, 1.0);
+      return std::clamp(value / kMaxB, 0.0, 1.0);
     case Tuning::kP:
       return std::clamp(value, 0.0, 1.0);
   }

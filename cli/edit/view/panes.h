@@ -24,9 +24,9 @@ struct Panes {
   std::optional<Pane> pane_at(cv::Point position) const;
 };
 
-inline const cv::Size kLeastCanvas{960, 540};
+inline const cv::Size kMinCanvas{960, 540};
 
-/// @param canvas  px, at least kLeastCanvas.
+/// @param canvas  px, at least kMinCanvas.
 Panes panes_of(cv::Size canvas);
 
 }  // namespace morphkit::edit

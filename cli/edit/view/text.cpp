@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                   "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
                                   "/usr/share/fonts/TTF/DejaVuSans.ttf"};
-constexpr std::size_t kMostLines = 4096;   ///< kept; then all are forgotten
+constexpr std::size_t kMaxLines = 4096;    ///< kept; then all are forgotten
 constexpr double kStrokeScale = 1 / 30.0;  ///< of OpenCV's strokes, per px of height
 
 /// The beginning of the last character in `text` before `end`: only whole characters may be cut off.
@@ -56,7 +56,7 @@ const Type::Line& Type::line(std::string_view text, int height) const {
   const std::pair key(std::string(text), height);
   const auto found = lines_.find(key);
   if (found != lines_.end()) return found->second;
-  if (lines_.size() >= kMostLines) lines_.clear();
+  if (lines_.size() >= kMaxLines) lines_.clear();
   return lines_.emplace(key, rendered(key.first, height)).first->second;
 }
 

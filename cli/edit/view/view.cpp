@@ -9,7 +9,7 @@ namespace {
 constexpr double kMarginPx = 8;
 
 double kept(double zoom) {
-  return std::clamp(zoom, kLeastZoom, kMostZoom);
+  return std::clamp(zoom, kMinZoom, kMaxZoom);
 }
 
 /// The length of an axis of the pane without margins; a pane too small for margins keeps half.

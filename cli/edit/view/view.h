@@ -7,7 +7,7 @@ namespace morphkit::edit {
 
 /// pane px = (picture - centre) * zoom + middle of the pane. Positions in the pane are relative to its top left corner.
 struct View {
-  double zoom = 1;     ///< pane px per picture px, kept in [kLeastZoom, kMostZoom]
+  double zoom = 1;     ///< pane px per picture px, kept in [kMinZoom, kMaxZoom]
   cv::Point2d centre;  ///< picture position in the middle of the pane, px
 
   cv::Point2d to_pane(cv::Point2d picture, cv::Size pane) const {
@@ -19,8 +19,8 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-inline constexpr double kLeastZoom = 1.0 / 256;
-inline constexpr double kMostZoom = 64;
+inline constexpr double kMinZoom = 1.0 / 256;
+inline constexpr double kMaxZoom = 64;
 
 /// The whole picture, centred, with a small margin.
 View fitted(cv::Size picture, cv::Size pane);

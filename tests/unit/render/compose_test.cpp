@@ -116,12 +116,12 @@ TEST(Compose, ThreePicturesMixAsTheNearestFeatureSays) {
 TEST(LayOver, NothingAColourOrAnImage) {
   const warp::Image half(kSize, warp::Pixel(0.25F, 0, 0, 0.5F));
   warp::Image image = half.clone();
-  lay_over(image, {});
+  composite_over(image, {});
   EXPECT_TRUE(same_bits(image, half));
-  lay_over(image, warp::Image(1, 1, warp::Pixel(0, 1, 0, 1)));
+  composite_over(image, warp::Image(1, 1, warp::Pixel(0, 1, 0, 1)));
   EXPECT_EQ(image(5, 5), warp::Pixel(0.25F, 0.5F, 0, 1));
   image = half.clone();
-  lay_over(image, warp::Image(kSize, warp::Pixel(0, 0, 1, 1)));
+  composite_over(image, warp::Image(kSize, warp::Pixel(0, 0, 1, 1)));
   EXPECT_EQ(image(63, 95), warp::Pixel(0.25F, 0, 0.5F, 1));
 }
 

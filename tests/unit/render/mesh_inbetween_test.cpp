@@ -40,8 +40,8 @@ TEST(MeshOn, BorderVerticesAreBroughtToTheBorderOrRefused) {
 
 TEST(BroughtTo, ScalesPerAxisAndKeepsTheBorderExact) {
   const warp::Mesh mesh = mesh_on(mesh_with({50, 30}), kSource, {96, 64}, "");
-  EXPECT_EQ(brought_to(mesh, {96, 64}, {96, 64}), mesh);
-  const warp::Mesh scaled = brought_to(mesh, {96, 64}, {48, 128});
+  EXPECT_EQ(scaled_to(mesh, {96, 64}, {96, 64}), mesh);
+  const warp::Mesh scaled = scaled_to(mesh, {96, 64}, {48, 128});
   EXPECT_EQ(scaled.at(1, 1), cv::Point2d(25, 60));
   EXPECT_EQ(scaled.at(2, 2), cv::Point2d(48, 128));
 }

@@ -92,7 +92,7 @@ TEST(Document, WhatChangesNothingIsNoStep) {
   const std::uint64_t revision = document.revision();
   document.move_point(0, kHere, 0, {10, 20});
   document.move_selected(kHere, {0, 0});
-  document.untune();
+  document.reset_tuning();
   document.group_selected("");
   document.rename(0, "line 1");
   document.set_method(project::MethodName::kLines);

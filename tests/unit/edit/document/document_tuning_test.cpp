@@ -27,7 +27,7 @@ TEST(Tuning, OfTheSelectionOrOfTheProject) {
   EXPECT_TRUE(document.tuning_is_own(Tuning::kB));
   document.tune(Tuning::kP, kNaN);
   EXPECT_FALSE(document.tuning_is_own(Tuning::kP));
-  document.untune();
+  document.reset_tuning();
   EXPECT_EQ(document.tuning(Tuning::kB), 3);
   document.select_none();
   EXPECT_TRUE(document.tuning_is_own(Tuning::kB));
@@ -44,7 +44,7 @@ TEST(Tuning, InheritingLeavesTheRestOfAFeatureAlone) {
   project.features[0].pull.p = 1;
   Document document(project, {400, 300}, {400, 300});
   document.select({{0}, {}});
-  document.untune();
+  document.reset_tuning();
   project::Pull left;
   left.between = project::Between::kCentre;
   left.turns = 1;

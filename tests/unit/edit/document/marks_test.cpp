@@ -61,7 +61,7 @@ TEST(Swap, OnBothSidesLeavesTheWarpAndOnOneTurnsIt) {
   EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(200, 140));
   EXPECT_EQ(feature(document, 0).places[project::kDestination][1], cv::Point2d(130, 80));
   expect_near(document.counterpart(kHere, {50, 60}), before, 1e-3);
-  document.swap_end_on(kThere);
+  document.swap_ends_on(kThere);
   EXPECT_EQ(feature(document, 0).places[project::kSource][0], cv::Point2d(200, 140));
   EXPECT_EQ(feature(document, 0).places[project::kDestination][0], cv::Point2d(130, 80));
 }
@@ -72,7 +72,7 @@ TEST(Swap, AClosedCurveKeepsItsFirstPoint) {
   const Points before = feature(document, 0).places[project::kSource];
   document.swap_ends_selected();
   EXPECT_EQ(feature(document, 0).places[project::kSource], before);
-  document.swap_end_on(kHere);
+  document.swap_ends_on(kHere);
   EXPECT_EQ(feature(document, 0).places[project::kSource], (Points{{0, 0}, {50, 50}, {50, 0}}));
 }
 
@@ -92,18 +92,18 @@ TEST(Names, MustBeFreeAndFitTheFile) {
 
 TEST(Marks, ASoundFeatureIsOneThatTheFileTakes) {
   project::Feature feature = marked_line("x", {{0, 0}, {9, 0}}, {{0, 0}, {9, 9}});
-  EXPECT_TRUE(sound(feature));
+  EXPECT_TRUE(is_valid(feature));
   feature.places[kThere] = {{3, 3}, {3, 3}};
-  EXPECT_FALSE(sound(feature)) << "a point on one side only";
+  EXPECT_FALSE(is_valid(feature)) << "a point on one side only";
   feature.places[kHere] = {{3, 3}, {3, 3}};
-  EXPECT_TRUE(sound(feature));
+  EXPECT_TRUE(is_valid(feature));
   feature.places[kHere] = {{3, 3}, {3, 3}, {3, 3}};
-  EXPECT_FALSE(sound(feature)) << "three ends";
+  EXPECT_FALSE(is_valid(feature)) << "three ends";
 }
 
 TEST(Marks, PositionsAreSettledAndKept) {
-  EXPECT_EQ(settled({0.1 + 0.2, 1.0 / 3}), cv::Point2d(0.3, 0.333333));
-  EXPECT_EQ(kept({2e9, -2e9}), cv::Point2d(project::kMaxCoordinate, -project::kMaxCoordinate));
+  EXPECT_EQ(rounded_off({0.1 + 0.2, 1.0 / 3}), cv::Point2d(0.3, 0.333333));
+  EXPECT_EQ(clamped({2e9, -2e9}), cv::Point2d(project::kMaxCoordinate, -project::kMaxCoordinate));
   EXPECT_FALSE(finite({1, kNaN}));
 }
 

@@ -85,7 +85,7 @@ class Walk {
         document.swap_ends_selected();
         break;
       case 3:
-        document.swap_end_on(side());
+        document.swap_ends_on(side());
         break;
       case 4:
         document.rename(feature(), name());
@@ -101,7 +101,7 @@ class Walk {
         document.tune(static_cast<Tuning>(integer(0, 2)), number(-1, 10));
         break;
       case 1:
-        document.untune();
+        document.reset_tuning();
         break;
       case 2:
         document.set_easing(static_cast<TimingKind>(integer(0, 1)), easing());

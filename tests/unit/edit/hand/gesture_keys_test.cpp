@@ -53,7 +53,7 @@ TEST_F(GestureSession, WidgetsDoWhatTheySay) {
   EXPECT_EQ(click(Command::kSave), std::nullopt) << "nothing to save";
   click(Command::kNextMethod);
   EXPECT_TRUE(document().has_mesh());
-  EXPECT_EQ(click(Command::kSave), Wish::kSave);
+  EXPECT_EQ(click(Command::kSave), EditorRequest::kSave);
   click(Command::kUndo);
   EXPECT_FALSE(document().has_mesh());
   click(Command::kRedo);

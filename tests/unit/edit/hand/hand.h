@@ -46,14 +46,14 @@ struct Hand {
   }
   cv::Point2d under(edit::Pane pane, cv::Point canvas) const { return edit::to_content(model, layout(), pane, canvas); }
 
-  std::optional<edit::Wish> mouse(What what, cv::Point position, Button button = Button::kLeft) {
+  std::optional<edit::EditorRequest> mouse(What what, cv::Point position, Button button = Button::kLeft) {
     edit::Mouse event = keys;
     event.what = what;
     event.button = what == What::kMove ? Button::kNone : button;
     event.position = position;
     return gestures.mouse(event);
   }
-  std::optional<edit::Wish> press(edit::SideIndex side, cv::Point2d position) {
+  std::optional<edit::EditorRequest> press(edit::SideIndex side, cv::Point2d position) {
     return mouse(What::kPress, at(side, position));
   }
   void move(edit::SideIndex side, cv::Point2d position) { mouse(What::kMove, at(side, position)); }
@@ -73,7 +73,7 @@ struct Hand {
     event.notches = notches;
     gestures.mouse(event);
   }
-  std::optional<edit::Wish> key(int code) { return gestures.key(code); }
+  std::optional<edit::EditorRequest> key(int code) { return gestures.key(code); }
   void type(const std::string& text) {
     for (const char c : text) key(c);
   }
@@ -83,12 +83,12 @@ struct Hand {
     const auto found = std::ranges::find(all, action, &edit::Widget::action);
     return found == all.end() ? edit::Widget{} : *found;
   }
-  std::optional<edit::Wish> click(const edit::Action& action) {
+  std::optional<edit::EditorRequest> click(const edit::Action& action) {
     const cv::Rect rect = widget(action).rect;
     const cv::Point middle = (rect.tl() + rect.br()) / 2;
-    const auto wish = mouse(What::kPress, middle);
+    const auto request = mouse(What::kPress, middle);
     mouse(What::kRelease, middle);
-    return wish;
+    return request;
   }
   cv::Point on_slider(const edit::Action& slider, double share) const {
     const cv::Rect track = edit::slider_track(widget(slider), layout().scale);

@@ -18,14 +18,14 @@ namespace {
 using test::Hand;
 
 /// Everything that a key could change, in words.
-std::string told(const Model& model, std::optional<Wish> wish) {
+std::string told(const Model& model, std::optional<EditorRequest> request) {
   const auto numbers = [](const auto&... values) { return ((std::to_string(values) + ' ') + ...); };
   const Switches& on = model.switches;
   std::string text =
       project::to_text(model.document.project()) + model.message +
       numbers(model.t, model.speed, model.playing, static_cast<int>(model.tool), static_cast<int>(model.show),
               model.help, on.locked, on.snap, on.onion, on.folds, on.loupe, on.features, model.source_view.zoom,
-              model.entry.has_value(), model.sketch.has_value(), wish ? static_cast<int>(*wish) : -1);
+              model.entry.has_value(), model.sketch.has_value(), request ? static_cast<int>(*request) : -1);
   for (const int i : model.document.selection().features) text += numbers(i);
   for (const int i : model.document.selection().vertices) text += numbers(i);
   return text;

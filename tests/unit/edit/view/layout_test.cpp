@@ -16,7 +16,7 @@ Model model_on(cv::Size canvas) {
 }
 
 TEST(Layout, WidgetsLieOnTheCanvasAndNeverOverEachOther) {
-  for (const cv::Size canvas : {kLeastCanvas, cv::Size(1280, 720), cv::Size(1600, 900), cv::Size(3840, 2160)}) {
+  for (const cv::Size canvas : {kMinCanvas, cv::Size(1280, 720), cv::Size(1600, 900), cv::Size(3840, 2160)}) {
     SCOPED_TRACE(testing::Message() << canvas);
     const Model model = model_on(canvas);
     const Layout layout = layout_of(model);

@@ -7,7 +7,7 @@
 namespace morphkit::edit {
 namespace {
 
-const cv::Size kCanvases[] = {kLeastCanvas, {1280, 720}, {1600, 900}, {3840, 2160}, {900, 1600}};
+const cv::Size kCanvases[] = {kMinCanvas, {1280, 720}, {1600, 900}, {3840, 2160}, {900, 1600}};
 
 TEST(Panes, LieOnTheCanvasAndNeverOverEachOther) {
   for (const cv::Size canvas : kCanvases) {

@@ -30,8 +30,8 @@ TEST(Fitted, ShowsAllOfThePictureInTheMiddleAndTouchesTheMargin) {
 }
 
 TEST(Fitted, KeepsTheZoomWithinItsBounds) {
-  EXPECT_EQ(fitted({1, 1}, kPane).zoom, kMostZoom);
-  EXPECT_EQ(fitted({1 << 24, 8}, kPane).zoom, kLeastZoom);
+  EXPECT_EQ(fitted({1, 1}, kPane).zoom, kMaxZoom);
+  EXPECT_EQ(fitted({1 << 24, 8}, kPane).zoom, kMinZoom);
   EXPECT_GT(fitted({100, 100}, {3, 3}).zoom, 0);
 }
 
@@ -44,15 +44,15 @@ TEST(Zoomed, WhatLiesAtTheMouseStaysThere) {
     const cv::Point2d mouse(anywhere(random), anywhere(random));
     const cv::Point2d before = view.to_picture(mouse, kPane);
     view = zoomed(view, std::exp(power(random)), mouse, kPane);
-    ASSERT_GE(view.zoom, kLeastZoom);
-    ASSERT_LE(view.zoom, kMostZoom);
+    ASSERT_GE(view.zoom, kMinZoom);
+    ASSERT_LE(view.zoom, kMaxZoom);
     const double picture_px = std::max(1.0, std::abs(before.x) + std::abs(before.y)) * 1e-12;
     expect_near(view.to_picture(mouse, kPane), before, picture_px);
   }
 }
 
 TEST(Zoomed, StaysPutAtTheBounds) {
-  const View nearest{kMostZoom, {5, 6}}, farthest{kLeastZoom, {5, 6}};
+  const View nearest{kMaxZoom, {5, 6}}, farthest{kMinZoom, {5, 6}};
   EXPECT_EQ(zoomed(nearest, 2, {3, 4}, kPane), nearest);
   EXPECT_EQ(zoomed(farthest, 0.5, {3, 4}, kPane), farthest);
 }
