@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <functional>
 #include <new>
+#include <span>
+#include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 
@@ -71,6 +74,16 @@ void apply(const CommonOptions& common, Output& output) {
   }
 }
 
+/// The first argument that is read as an option and is the name of a file; empty if there is none.
+std::string_view file_like_an_option(std::span<const char* const> arguments) {
+  for (const std::string_view argument : arguments) {
+    std::error_code error;
+    if (argument == "--") return {};
+    if (argument.starts_with('-') && std::filesystem::exists(argument, error)) return argument;
+  }
+  return {};
+}
+
 int parse_and_run(int argc, const char* const* argv, const Works* works, Output& output) {
   Program program(works, argv);
   int code = 0;
@@ -80,6 +93,8 @@ int parse_and_run(int argc, const char* const* argv, const Works* works, Output&
     code = action(output);
   } catch (const UsageError& error) {
     output.error(error.what());
+    if (const std::string_view file = file_like_an_option({argv, static_cast<std::size_t>(argc)}); !file.empty())
+      output.note(fmt::format("'{0}' is a file: write ./{0}, or put -- before the files.", file));
     output.note(fmt::format("Try '{} --help'.", error.command()));
     code = kExitUsage;
   }

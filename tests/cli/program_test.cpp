@@ -56,6 +56,19 @@ TEST(Frame, SuggestsTheCommandThatWasMeant) {
   expect_usage_error(run_morphkit({"xyzzy"}), "unknown command 'xyzzy'");
 }
 
+TEST(Frame, AFileThatLooksLikeAnOptionIsExplained) {
+  const TemporaryFolder folder;
+  media::write_image(folder / "-dash.png", warp::Image(3, 4, {0, 0, 0, 1}));
+  RunOptions options;
+  options.folder = folder.path();
+  const RunResult refused = run_morphkit({"info", "-dash.png"}, options);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "'-dash.png' is a file: write ./-dash.png, or put -- before the files."))
+      << refused.err;
+  EXPECT_EQ(run_morphkit({"info", "--", "-dash.png"}, options).exit_code, 0);
+  EXPECT_FALSE(contains(run_morphkit({"info", "-nothing"}, options).err, "is a file"));
+}
+
 TEST(Frame, ShowsHowToRenderWhenGivenAProjectAlone) {
   expect_usage_error(run_morphkit({"pair.json"}), "morphkit morph pair.json -o");
 }
