@@ -8,6 +8,7 @@
 #include "cli/arguments.h"
 #include "cli/cmd_morph.h"
 #include "cli/command_line.h"
+#include "cli/edit/document/project_lock.h"
 #include "cli/edit/document/storage.h"
 #include "cli/edit/hand/editor.h"
 #include "cli/edit/view/layout.h"
@@ -89,7 +90,10 @@ int run_edit(const EditOptions& options, Output& output) {
   warn_of_nonfinite(project, pictures, output);
   warn_of_unused_settings(project, output);
   output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
-  edit::Editor editor(std::move(project), job::footage_of(pictures), window);
+  edit::ProjectLock lock = edit::ProjectLock::claim(project.file);
+  for (const std::string& other : lock.others())
+    output.warning(fmt::format("{} is also being edited by {}", project.file.string(), other));
+  edit::Editor editor(std::move(project), job::footage_of(pictures), window, std::move(lock));
   edit::run_window(editor);
   return 0;
 }

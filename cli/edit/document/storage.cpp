@@ -1,5 +1,8 @@
 #include "cli/edit/document/storage.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdint>
 #include <ctime>
@@ -7,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -33,6 +38,21 @@ void write_text(const fs::path& file, const std::string& text) {
   write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, true);
 }
 
+/// Where an autosave goes that cannot be written beside its project: a name of its own for every project.
+fs::path elsewhere(const fs::path& autosave) {
+  std::error_code error;
+  const std::string path = fs::absolute(autosave, error).lexically_normal().string();
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, 64 bits
+  for (const char letter : path) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  return fs::temp_directory_path(error) / fmt::format("morphkit-{:016x}-{}", hash, autosave.filename().string());
+}
+
+/// In a folder that everybody may write to, only our own files count.
+bool is_ours(const fs::path& file) {
+  struct stat status = {};
+  return ::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == ::geteuid();
+}
+
 std::string local_time(fs::file_time_type time) {
   const auto since_now = std::chrono::duration_cast<std::chrono::seconds>(time - fs::file_time_type::clock::now());
   const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() + since_now);
@@ -50,7 +70,9 @@ void require_savable(const project::Project& project) {
   const AtomicFile there(project.file, true);  // creates a file and removes it
 }
 
-Storage::Storage(const project::Project& project) : file_(project.file) {
+Storage::Storage(const project::Project& project) : Storage(project, ProjectLock(project.file)) {}
+
+Storage::Storage(const project::Project& project, ProjectLock lock) : file_(project.file), lock_(std::move(lock)) {
   if (project.original) known_ = *project.original;
   const std::optional<Stamp> now = stamp();
   if (text_of(file_) == known_) stamp_ = now;
@@ -58,11 +80,6 @@ Storage::Storage(const project::Project& project) : file_(project.file) {
 
 Storage::~Storage() {
   finish();
-}
-
-fs::path Storage::autosave_file() const {
-  fs::path file = file_;
-  return file += ".autosave";
 }
 
 std::optional<Storage::Stamp> Storage::stamp() const {
@@ -142,6 +159,7 @@ void Storage::drop_autosave() {
   finish();
   std::error_code ignored;  // it is offered again then, which loses nothing
   fs::remove(autosave_file(), ignored);
+  fs::remove(elsewhere(autosave_file()), ignored);
 }
 
 fs::path Storage::rescue(const project::Project& project) {
@@ -151,32 +169,43 @@ fs::path Storage::rescue(const project::Project& project) {
     write_text(autosave_file(), text);
     return autosave_file();
   } catch (const Error&) {
-    std::error_code error;
-    fs::path elsewhere = fs::temp_directory_path(error) / autosave_file().filename();
-    write_text(elsewhere, text);
-    return elsewhere;
+    fs::path file = elsewhere(autosave_file());
+    write_text(file, text);
+    return file;
   }
 }
 
+fs::path Storage::newest_autosave() const {
+  const fs::path& beside = autosave_file();
+  fs::path rescued = elsewhere(beside);
+  std::error_code missing_beside, missing_rescued;
+  const fs::file_time_type time = fs::last_write_time(beside, missing_beside);
+  const fs::file_time_type rescued_time = fs::last_write_time(rescued, missing_rescued);
+  if (missing_rescued || !is_ours(rescued)) return beside;
+  return missing_beside || rescued_time > time ? rescued : beside;
+}
+
 std::optional<fs::path> Storage::set_autosave_aside() {
+  const fs::path autosave = newest_autosave();
   for (int number = 1;; ++number) {
-    fs::path aside = autosave_file();
+    fs::path aside = autosave;
     aside += std::string(".").append(std::to_string(number));
     std::error_code error;
     if (fs::exists(aside, error)) continue;
-    if (!error) fs::rename(autosave_file(), aside, error);
+    if (!error) fs::rename(autosave, aside, error);
     return error ? std::nullopt : std::optional(aside);
   }
 }
 
 std::optional<Recovery> Storage::recovery() const {
   std::error_code error;
-  const fs::file_time_type time = fs::last_write_time(autosave_file(), error);
-  const std::optional<std::string> text = error ? std::nullopt : text_of(autosave_file());
+  const fs::path autosave = newest_autosave();
+  const fs::file_time_type time = fs::last_write_time(autosave, error);
+  const std::optional<std::string> text = error ? std::nullopt : text_of(autosave);
   if (!text || text == known_) return std::nullopt;
   Recovery recovery{std::nullopt, local_time(time)};
   try {
-    recovery.project = project::parse(*text, autosave_file());
+    recovery.project = project::parse(*text, autosave);
     recovery.project->file = file_;
   } catch (const Error&) {
     // Unreadable: `project` stays empty.

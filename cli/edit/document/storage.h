@@ -5,7 +5,9 @@
 #include <future>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/edit/document/project_lock.h"
 #include "morph/project/project.h"
 
 namespace morphkit::edit {
@@ -22,11 +24,16 @@ void require_savable(const project::Project& project);
 class Storage {
  public:
   /// @param project  as loaded from its `file`; without `original`, a file that does not exist yet.
+  /// @param lock     the place of this editor; its autosave is ours.
   explicit Storage(const project::Project& project);
+  Storage(const project::Project& project, ProjectLock lock);
   ~Storage();
 
   const std::filesystem::path& file() const noexcept { return file_; }
-  std::filesystem::path autosave_file() const;
+  const std::filesystem::path& autosave_file() const noexcept { return lock_.autosave_file(); }
+
+  /// Who else has the project open.
+  const std::vector<std::string>& others() const noexcept { return lock_.others(); }
 
   /// Writes the project, atomically, and removes the autosave.
   /// @return the project as saved. @throws Error kIo; the file is then unchanged.
@@ -66,7 +73,11 @@ class Storage {
   };
   std::optional<Stamp> stamp() const;
 
+  /// The autosave beside the project, or the one that `rescue` had to write elsewhere; the newer one if there are both.
+  std::filesystem::path newest_autosave() const;
+
   std::filesystem::path file_;
+  ProjectLock lock_;
   std::optional<std::string> known_;  ///< text of the file when last read or written; nothing: no file
   std::optional<Stamp> stamp_;        ///< of `known_`
   std::optional<Stamp> reported_;     ///< of the last change that `new_change_by_others` reported

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "cli/edit/hand/snap.h"
@@ -50,13 +51,14 @@ project::Project last_saved(const project::Project& project) {
 
 }  // namespace
 
-Editor::Editor(project::Project project, const render::Footage& footage, cv::Size canvas)
+Editor::Editor(project::Project project, const render::Footage& footage, cv::Size canvas,
+               std::optional<ProjectLock> lock)
     : source_(footage.pictures[project::kSource].at(1)),
       destination_(footage.pictures[project::kDestination].at(1)),
       background_(footage.background ? std::optional<Pyramid>(footage.background->at(1)) : std::nullopt),
       model_(last_saved(project), source_.size(), destination_.size(), canvas),
       gestures_(model_, edges_of(source_, destination_)),
-      storage_(model_.document.project()),
+      storage_(model_.document.project(), lock ? std::move(*lock) : ProjectLock(model_.document.project().file)),
       canvas_(source_, destination_),
       thread_(source_, destination_, background_ ? &*background_ : nullptr) {
   if (!project::same_document(project, model_.document.project())) model_.document.replace(std::move(project));
@@ -66,6 +68,8 @@ Editor::Editor(project::Project project, const render::Footage& footage, cv::Siz
   model_.welcome = loaded.features.empty() && !loaded.mesh;
   if (loaded.mesh && project::method_name_of(loaded) == project::MethodName::kMesh) model_.tool = ToolId::kMesh;
   if (!model_.document.changed()) stored_revision_ = model_.document.revision();
+  if (!storage_.others().empty())
+    complain(fmt::format("{} is also being edited by {}", model_.file_name, fmt::join(storage_.others(), ", ")));
   recovery_ = storage_.recovery();
   if (recovery_) offer_recovery();
 }
@@ -113,7 +117,13 @@ void Editor::handle_request(std::optional<EditorRequest> request) {
 
 void Editor::say(std::string message) {
   model_.message = std::move(message);
+  model_.complaint = false;
   dirty_ = true;
+}
+
+void Editor::complain(std::string message) {
+  say(std::move(message));
+  model_.complaint = true;
 }
 
 void Editor::ask(Asked what, Question question) {
@@ -188,7 +198,7 @@ bool Editor::save(bool over_changes_of_others) {
     model_.document.mark_saved(storage_.save(model_.document.project()));
   } catch (const Error& error) {
     close_after_save_ = false;
-    say(fmt::format("not saved: {}", error.what()));
+    complain(fmt::format("not saved: {}", error.what()));
     return false;
   }
   autosave_exists_ = false;
@@ -209,7 +219,7 @@ void Editor::reload_file() {
     model_.document.mark_saved(theirs);
     say(fmt::format("{} was changed by another program; this is what it says now", model_.file_name));
   } catch (const Error& error) {
-    say(fmt::format("not taken: {}", error.what()));
+    complain(fmt::format("not taken: {}", error.what()));
   }
 }
 
@@ -226,7 +236,7 @@ void Editor::check_file() {
 
 void Editor::keep_autosave() {
   if (std::string problem = storage_.autosave_problem(); !problem.empty()) {
-    say(fmt::format("autosave failed: {}", problem));
+    complain(fmt::format("autosave failed: {}", problem));
     stored_revision_ = kNoRevision;
     unstored_since_ = now_;
   }

@@ -28,7 +28,9 @@ class Editor {
   /// @param project   its `file` need not exist.
   /// @param footage   the pictures of the project; their pixels are shared.
   /// @param canvas    size of the window, px, at least kMinCanvas.
-  Editor(project::Project project, const render::Footage& footage, cv::Size canvas);
+  /// @param lock      the place of this editor at the project; nothing: an unprotected one.
+  Editor(project::Project project, const render::Footage& footage, cv::Size canvas,
+         std::optional<ProjectLock> lock = std::nullopt);
 
   void mouse(const Mouse& event);
   void key(int key);
@@ -71,6 +73,7 @@ class Editor {
   void request_preview();
   void take_preview();
   void say(std::string message);
+  void complain(std::string message);  ///< in red: something was not done
 
   Pyramid source_, destination_;
   std::optional<Pyramid> background_;

@@ -123,7 +123,8 @@ void draw_status(const Scribe& scribe, const Model& model, const PreviewPicture&
   rect.x += used;
   rect.width -= used + scribe.width(right) + scribe.px(28);
   const bool said = !model.message.empty();
-  scribe.left(rect, said ? std::string_view(model.message) : hint(model), said ? palette::kText : palette::kQuiet);
+  const cv::Vec3b& color = !said ? palette::kQuiet : model.complaint ? palette::kAlert : palette::kText;
+  scribe.left(rect, said ? std::string_view(model.message) : hint(model), color);
 }
 
 }  // namespace

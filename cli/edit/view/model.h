@@ -72,9 +72,10 @@ struct Model {
   std::optional<Question> question;
   std::optional<char> answer;  ///< to `question`; the editor resets both
   bool help = false;
-  bool welcome = false;   ///< the three lines of a first start
-  std::string message;    ///< status line: what just happened
-  std::string file_name;  ///< for the status line
+  bool welcome = false;    ///< the three lines of a first start
+  std::string message;     ///< status line: what just happened
+  bool complaint = false;  ///< `message` says that something was not done
+  std::string file_name;   ///< for the status line
 
   View& view(Pane pane) { return this->*member_of(pane); }
   const View& view(Pane pane) const { return this->*member_of(pane); }

@@ -87,6 +87,22 @@ TEST(Storage, GivesBackAnAutosaveUntilTheProjectIsSaved) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"pair.json"});
 }
 
+/// As in a folder that has become read-only: what could not be written there is found where it was rescued to.
+TEST(Storage, FindsWhatWasRescuedElsewhere) {
+  const test::TemporaryFolder folder;
+  project::Project project = in_file(folder / "gone" / "pair.json");
+  const fs::path rescued = Storage(project).rescue(project);
+  EXPECT_NE(rescued.parent_path(), project.file.parent_path());
+  Storage storage(project);
+  const std::optional<Recovery> recovery = storage.recovery();
+  ASSERT_TRUE(recovery);
+  EXPECT_TRUE(project::same_document(*recovery->project, project));
+  EXPECT_FALSE(Storage(in_file(folder / "other" / "pair.json")).recovery()) << "a project of the same name";
+  fs::create_directory(folder / "gone");
+  storage.save(project);
+  EXPECT_FALSE(fs::exists(rescued));
+}
+
 TEST(Storage, GivesAnAutosaveThatItCannotReadAnotherName) {
   const test::TemporaryFolder folder;
   Storage storage(in_file(folder / "pair.json"));
