@@ -39,9 +39,9 @@ void add_morph(CommandLine& line, Session& session);
 /// @return the exit code.
 int run_morph(const MorphOptions& options, Output& output);
 
-/// Warns of pixels that are NaN or infinite.
-void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output);
-void warn_of_nonfinite(const project::Project& project, const job::Pictures& pictures, Output& output);
+/// Prints the warnings of media::warnings_of.
+void warn_of_pixels(const std::filesystem::path& file, const media::Picture& picture, Output& output);
+void warn_of_pixels(const project::Project& project, const job::Pictures& pictures, Output& output);
 
 /// Warns of every setting that the project's method does not use.
 void warn_of_unused_settings(const project::Project& project, Output& output);

@@ -47,7 +47,12 @@ void add_pixels(const media::Picture& picture, FileInfo& info) {
   }
   info.text += fmt::format("  not finite   {} pixels{}\n", picture.nonfinite_pixels,
                            picture.nonfinite_pixels > 0 ? " (NaN or infinity; rendered as transparent)" : "");
-  info.report.set("pixels", pixels).set("nonfinite_pixels", picture.nonfinite_pixels);
+  Report warnings = Report::array();
+  for (const std::string& sentence : media::warnings_of(picture)) {
+    info.text += "  warning      " + sentence + "\n";
+    warnings.push(sentence);
+  }
+  info.report.set("pixels", pixels).set("nonfinite_pixels", picture.nonfinite_pixels).set("warnings", warnings);
 }
 
 }  // namespace

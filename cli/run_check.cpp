@@ -37,10 +37,10 @@ void print_json(const std::vector<render::Finding>& findings, const std::vector<
                 Output& output) {
   Report list = Report::array();
   for (const render::Finding& finding : findings) list.push(report_of(finding));
-  Report nonfinite = Report::array();
-  for (const std::string& note : notes) nonfinite.push(note);
+  Report texts = Report::array();
+  for (const std::string& note : notes) texts.push(note);
   Report report;
-  report.set("ok", good).set("findings", list).set("notes", nonfinite);
+  report.set("ok", good).set("findings", list).set("notes", texts);
   output.line(report.to_json());
 }
 
@@ -60,8 +60,8 @@ int run_check(const CheckOptions& options, Output& output) {
   const job::Pictures pictures = job::load_pictures(project);
   std::vector<std::string> notes;
   for (std::size_t side = 0; side < pictures.sides.size(); ++side)
-    if (const auto count = pictures.sides[side].nonfinite_pixels; count > 0)
-      notes.push_back(fmt::format("{}: {} pixels are NaN or infinite", project.pictures[side].image.string(), count));
+    for (const std::string& sentence : media::warnings_of(pictures.sides[side]))
+      notes.push_back(fmt::format("{}: {}", project.pictures[side].image.string(), sentence));
   for (std::string& sentence : project::unused_settings(project)) notes.push_back(std::move(sentence));
   if (std::string note = unused_mesh_note(project); !note.empty()) notes.push_back(std::move(note));
   const render::Renderer renderer(project, job::footage_of(pictures), {.allow_folds = true});

@@ -87,7 +87,7 @@ int run_edit(const EditOptions& options, Output& output) {
   edit::require_savable(project);
   edit::require_display();
   const job::Pictures pictures = job::load_pictures(project);
-  warn_of_nonfinite(project, pictures, output);
+  warn_of_pixels(project, pictures, output);
   warn_of_unused_settings(project, output);
   output.note(fmt::format("editing {}; h in the window shows every key", project.file.string()));
   edit::ProjectLock lock = edit::ProjectLock::claim(project.file);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ namespace morphkit::cli {
 namespace {
 
 void say_what_was_read(const project::Project& project, const job::Pictures& pictures, Output& output) {
-  warn_of_nonfinite(project, pictures, output);
+  warn_of_pixels(project, pictures, output);
   warn_of_unused_settings(project, output);
   if (project::method_name_of(project) != project::MethodName::kLines) return;
   if (const std::string note = unused_mesh_note(project); !note.empty())
@@ -119,15 +120,16 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
 
 }  // namespace
 
-void warn_of_nonfinite(const std::filesystem::path& file, const media::Picture& picture, Output& output) {
-  if (picture.nonfinite_pixels > 0)
-    output.warning(fmt::format("{}: {} pixels are NaN or infinite; they are taken as nothing there", file.string(),
-                               picture.nonfinite_pixels));
+void warn_of_pixels(const std::filesystem::path& file, const media::Picture& picture, Output& output) {
+  for (const std::string& sentence : media::warnings_of(picture))
+    output.warning(fmt::format("{}: {}", file.string(), sentence));
 }
 
-void warn_of_nonfinite(const project::Project& project, const job::Pictures& pictures, Output& output) {
+void warn_of_pixels(const project::Project& project, const job::Pictures& pictures, Output& output) {
   for (std::size_t side = 0; side < pictures.sides.size(); ++side)
-    warn_of_nonfinite(project.pictures[side].image, pictures.sides[side], output);
+    warn_of_pixels(project.pictures[side].image, pictures.sides[side], output);
+  if (const auto* background = std::get_if<std::filesystem::path>(&project.output.background); pictures.background)
+    warn_of_pixels(*background, *pictures.background, output);
 }
 
 void warn_of_unused_settings(const project::Project& project, Output& output) {

@@ -151,7 +151,7 @@ warp::MeshWarp mesh_warp(const WarpOptions& options, const project::Project& set
 int run_warp(const WarpOptions& options, Output& output) {
   require_free(options);
   const media::Picture picture = media::read_picture(options.image);
-  warn_of_nonfinite(options.image, picture, output);
+  warn_of_pixels(options.image, picture, output);
   const project::Project settings = settings_of(options);
   warn_of_unused_settings(settings, output);
   const cv::Size size = settings.output.size.value_or(picture.image.size());

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "morph/media/image_format.h"
 #include "morph/media/image_reader.h"
@@ -31,10 +33,30 @@ ImageInfo read_info(const std::filesystem::path& file) {
 Picture read_picture(const std::filesystem::path& file, ColorSpace space) {
   ImageReader reader(file);
   Picture picture;
-  picture.image = reader.read(space, picture.nonfinite_pixels);
+  PixelFaults faults;
+  picture.image = reader.read(space, faults);
+  picture.nonfinite_pixels = faults.nonfinite;
+  picture.alpha_outside_pixels = faults.alpha_outside;
+  picture.above_alpha_pixels = faults.above_alpha;
+  picture.transparent_everywhere =
+      std::none_of(picture.image.begin(), picture.image.end(), [](const warp::Pixel& pixel) { return pixel[3] > 0; });
   picture.info = reader.info(space);
   picture.metadata = reader.metadata();
   return picture;
+}
+
+std::vector<std::string> warnings_of(const Picture& picture) {
+  std::vector<std::string> warnings;
+  const auto warn_of = [&](std::int64_t pixels, const char* what) {
+    if (pixels > 0) warnings.push_back(fmt::format("{} pixels {}", pixels, what));
+  };
+  warn_of(picture.nonfinite_pixels, "are NaN or infinite; they are taken as nothing there");
+  warn_of(picture.alpha_outside_pixels, "have alpha below 0 or above 1; it is clamped");
+  warn_of(picture.above_alpha_pixels,
+          "are brighter than their alpha, although the file says that it is premultiplied; they are clamped to alpha");
+  if (picture.info.ignores_alpha) warnings.emplace_back("the header declares no alpha, so the last channel is ignored");
+  if (picture.transparent_everywhere) warnings.emplace_back("the picture is transparent everywhere");
+  return warnings;
 }
 
 bool is_image_extension(const std::filesystem::path& file) {

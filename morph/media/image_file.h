@@ -30,10 +30,11 @@ struct ImageInfo {
   int width = 0, height = 0;  ///< px, after EXIF orientation
   int channels = 0;
   bool has_alpha = false;
-  std::string channel_type;                                   ///< "uint8", "uint16", "half", "float"
-  std::string color_space;                                    ///< "sRGB" or "linear": how morphkit reads it
-  int orientation = 1;                                        ///< EXIF, 1..8, as stored
-  std::int64_t bytes = 0;                                     ///< file size
+  bool ignores_alpha = false;  ///< the last channel may be alpha, but the header does not say so
+  std::string channel_type;    ///< "uint8", "uint16", "half", "float"
+  std::string color_space;     ///< "sRGB" or "linear": how morphkit reads it
+  int orientation = 1;         ///< EXIF, 1..8, as stored
+  std::int64_t bytes = 0;      ///< file size
   std::vector<std::pair<std::string, std::string>> metadata;  ///< everything else, as text, in the order of the file
 };
 
@@ -43,7 +44,10 @@ class Metadata;
 struct Picture {
   warp::Image image;
   ImageInfo info;
-  std::int64_t nonfinite_pixels = 0;  ///< pixels with NaN or infinity, replaced by transparent black
+  std::int64_t nonfinite_pixels = 0;      ///< pixels with NaN or infinity, replaced by transparent black
+  std::int64_t alpha_outside_pixels = 0;  ///< pixels with alpha outside [0, 1], which is clamped
+  std::int64_t above_alpha_pixels = 0;    ///< pixels of a premultiplied integer file with colour clamped to alpha
+  bool transparent_everywhere = false;
   std::shared_ptr<const Metadata> metadata;
 };
 
@@ -55,6 +59,9 @@ void set_up_process();
 /// image).
 ImageInfo read_info(const std::filesystem::path& file);
 Picture read_picture(const std::filesystem::path& file, ColorSpace space = ColorSpace::kAuto);
+
+/// What a person should know about the pixels, a sentence without the file's name each; usually none.
+std::vector<std::string> warnings_of(const Picture& picture);
 
 /// How pixels are stored; kAuto is the format's usual type (PNG, JPEG, WebP, TGA, GIF 8 bit; TIFF 16; EXR half).
 enum class Depth { kAuto, k8, k16, kHalf, kFloat };

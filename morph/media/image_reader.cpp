@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -190,6 +190,19 @@ bool ImageReader::is_display_window() const {
                                   spec_.width != spec_.full_width || spec_.height != spec_.full_height);
 }
 
+void ImageReader::choose_alpha() {
+  declared_alpha_ = declared_alpha(file_, format_);
+  const auto named = std::find(spec_.channelnames.begin(), spec_.channelnames.end(), "A");
+  a_ = named != spec_.channelnames.end() ? static_cast<int>(named - spec_.channelnames.begin()) : spec_.alpha_channel;
+  if (a_ >= spec_.nchannels) a_ = -1;
+  if (format_ == "targa" && spec_.nchannels == 2) {
+    // OpenImageIO calls gray and alpha red and green.
+    r_ = g_ = b_ = 0;
+    a_ = 1;
+  }
+  if (declared_alpha_ == DeclaredAlpha::kNone) a_ = -1;
+}
+
 /// By name if there are names (a renderer's EXR has many channels), else by count: 1 gray, 2 gray and alpha, 3 RGB.
 void ImageReader::choose_channels() {
   const auto find = [&](std::string_view name) {
@@ -199,8 +212,7 @@ void ImageReader::choose_channels() {
   r_ = find("R");
   g_ = find("G");
   b_ = find("B");
-  a_ = find("A") >= 0 ? find("A") : spec_.alpha_channel;
-  if (a_ >= spec_.nchannels) a_ = -1;
+  choose_alpha();
   if (r_ < 0 && g_ < 0 && b_ < 0) {
     const int luminance = find("Y");
     const int colors = spec_.nchannels - (a_ >= 0 ? 1 : 0);
@@ -236,11 +248,11 @@ StoredLayout ImageReader::layout(ColorSpace space) const {
   result.b = within(b_);
   result.a = within(a_);
   result.transfer = transfer(space);
-  // TIFF and TGA have both kinds of alpha, and OpenImageIO says which; in other files the format decides.
-  const bool says_straight = spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) == 1;
+  // TIFF and TGA have both kinds of alpha; in other files the format decides.
+  const bool is_associated_tiff = format_ == "tiff" && spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) != 1;
   if (format_ == "openexr") {
     result.alpha = AlphaKind::kPremultiplied;
-  } else if ((format_ == "tiff" || format_ == "targa") && !says_straight) {
+  } else if (is_associated_tiff || declared_alpha_ == DeclaredAlpha::kPremultiplied) {
     const bool is_linear = result.transfer.kind == Transfer::Kind::kLinear;
     result.alpha = is_linear ? AlphaKind::kPremultiplied : AlphaKind::kStoredAssociated;
   }
@@ -256,6 +268,7 @@ ImageInfo ImageReader::info(ColorSpace space) const {
   if (orientation_ >= kFirstTurned) std::swap(result.width, result.height);
   result.channels = spec_.nchannels;
   result.has_alpha = a_ >= 0;
+  result.ignores_alpha = format_ == "targa" && declared_alpha_ == DeclaredAlpha::kNone && spec_.nchannels % 2 == 0;
   result.channel_type = spec_.format.c_str();
   const Transfer how = transfer(space);
   result.color_space = how.kind == Transfer::Kind::kSrgb     ? "sRGB"
@@ -285,7 +298,7 @@ void ImageReader::read_rows(int begin, int end, const OIIO::TypeDesc& type, void
                                complaint.empty() ? "the data end too early" : first_line(complaint)));
 }
 
-warp::Image ImageReader::read_stored(const PixelDecoder& decoder, std::int64_t& nonfinite) {
+warp::Image ImageReader::read_stored(const PixelDecoder& decoder, PixelFaults& faults) {
   const SampleType type = sample_type(spec_);
   const std::size_t row_bytes = static_cast<std::size_t>(spec_.width) *
                                 static_cast<std::size_t>(channel_end_ - channel_begin_) * sample_bytes(type);
@@ -293,23 +306,23 @@ warp::Image ImageReader::read_stored(const PixelDecoder& decoder, std::int64_t& 
   const int band = (kBandRows + tile - 1) / tile * tile;
   std::vector<std::byte> rows(row_bytes * static_cast<std::size_t>(std::min(band, spec_.height)));
   warp::Image image(spec_.height, spec_.width);
-  std::atomic<std::int64_t> count{0};
+  std::mutex adding;
   for (int top = 0; top < spec_.height; top += band) {
     const int height = std::min(band, spec_.height - top);
     read_rows(spec_.y + top, spec_.y + top + height, oiio_type(type), rows.data());
     for_rows(height, [&](int begin, int end) {
-      std::int64_t bad = 0;
+      PixelFaults found;
       for (int y = begin; y < end; ++y) {
-        bad += decoder.decode(rows.data() + row_bytes * static_cast<std::size_t>(y), spec_.width, image[top + y]);
+        found += decoder.decode(rows.data() + row_bytes * static_cast<std::size_t>(y), spec_.width, image[top + y]);
       }
-      count += bad;
+      const std::scoped_lock lock(adding);
+      faults += found;
     });
   }
-  nonfinite = count;
   return image;
 }
 
-warp::Image ImageReader::read_webp(const PixelDecoder& decoder, std::int64_t& nonfinite) {
+warp::Image ImageReader::read_webp(const PixelDecoder& decoder) {
   const std::vector<std::uint8_t> samples = decode_webp(file_, bytes_);
   warp::Image image(spec_.height, spec_.width);
   const std::size_t row_bytes = samples.size() / static_cast<std::size_t>(spec_.height);
@@ -318,7 +331,6 @@ warp::Image ImageReader::read_webp(const PixelDecoder& decoder, std::int64_t& no
       decoder.decode(samples.data() + row_bytes * static_cast<std::size_t>(y), spec_.width, image[y]);
     }
   });
-  nonfinite = 0;
   return image;
 }
 
@@ -331,12 +343,12 @@ warp::Image ImageReader::to_display_window(const warp::Image& data_window) const
   return result;
 }
 
-warp::Image ImageReader::read(ColorSpace space, std::int64_t& nonfinite) {
+warp::Image ImageReader::read(ColorSpace space, PixelFaults& faults) {
   try {
     StoredLayout stored = layout(space);
     if (format_ == "webp") stored.channels = 4;  // decode_webp always gives 4
     const PixelDecoder decoder(stored);
-    const warp::Image pixels = format_ == "webp" ? read_webp(decoder, nonfinite) : read_stored(decoder, nonfinite);
+    const warp::Image pixels = format_ == "webp" ? read_webp(decoder) : read_stored(decoder, faults);
     return upright(to_display_window(pixels), orientation_);
   } catch (const Error&) {
     throw;

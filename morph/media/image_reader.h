@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/media/declared_alpha.h"
 #include "morph/media/image_file.h"
 #include "morph/media/pixel_codec.h"
 
@@ -25,19 +26,20 @@ class ImageReader {
   ImageInfo info(ColorSpace space) const;
   std::shared_ptr<const Metadata> metadata() const;
 
-  /// The pixels, upright. @param nonfinite  receives the number of pixels that were not finite.
-  warp::Image read(ColorSpace space, std::int64_t& nonfinite);
+  /// The pixels, upright.
+  warp::Image read(ColorSpace space, PixelFaults& faults);
 
  private:
   void open();
   void check() const;
   bool is_display_window() const;
   void choose_channels();
+  void choose_alpha();
   Transfer transfer(ColorSpace space) const;
   StoredLayout layout(ColorSpace space) const;
   void read_rows(int begin, int end, const OIIO::TypeDesc& type, void* data);
-  warp::Image read_stored(const PixelDecoder& decoder, std::int64_t& nonfinite);
-  warp::Image read_webp(const PixelDecoder& decoder, std::int64_t& nonfinite);
+  warp::Image read_stored(const PixelDecoder& decoder, PixelFaults& faults);
+  warp::Image read_webp(const PixelDecoder& decoder);
   warp::Image to_display_window(const warp::Image& data_window) const;
 
   std::filesystem::path file_;
@@ -46,6 +48,7 @@ class ImageReader {
   std::unique_ptr<OIIO::Filesystem::IOMemReader> memory_;  ///< outlives input_
   std::unique_ptr<OIIO::ImageInput> input_;
   OIIO::ImageSpec spec_;
+  DeclaredAlpha declared_alpha_ = DeclaredAlpha::kLibraryKnows;
   int orientation_ = 1;
   int r_ = -1, g_ = -1, b_ = -1, a_ = -1;  ///< channels of the file; -1: none
   int channel_begin_ = 0, channel_end_ = 0;

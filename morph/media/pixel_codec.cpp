@@ -35,6 +35,13 @@ std::size_t sample_bytes(SampleType type) noexcept {
   return type == SampleType::kU16 ? 2 : sizeof(float);
 }
 
+PixelFaults& PixelFaults::operator+=(const PixelFaults& other) noexcept {
+  nonfinite += other.nonfinite;
+  alpha_outside += other.alpha_outside;
+  above_alpha += other.above_alpha;
+  return *this;
+}
+
 PixelDecoder::PixelDecoder(const StoredLayout& layout) : layout_(layout) {
   if (layout.type == SampleType::kFloat) return;
   const int largest = layout.type == SampleType::kU8 ? kLargest8 : kLargest16;
@@ -50,7 +57,7 @@ float PixelDecoder::linear(float stored) const noexcept {
 }
 
 template <typename Sample>
-std::int64_t PixelDecoder::decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept {
+PixelFaults PixelDecoder::decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept {
   constexpr bool kIsFloat = std::is_same_v<Sample, float>;
   const auto number = [](Sample sample) {
     if constexpr (kIsFloat)
@@ -65,30 +72,42 @@ std::int64_t PixelDecoder::decode_samples(const Sample* row, int width, warp::Pi
       return table_[sample];
   };
   const std::array<int, 3> colors = {layout_.r, layout_.g, layout_.b};
-  std::int64_t nonfinite = 0;
+  PixelFaults faults;
   for (int x = 0; x < width; ++x, row += layout_.channels) {
-    const float alpha = layout_.a < 0 ? 1.0F : number(row[layout_.a]);
+    const float stored_alpha = layout_.a < 0 ? 1.0F : number(row[layout_.a]);
+    const float alpha = std::clamp(stored_alpha, 0.0F, 1.0F);
+    bool above_alpha = false;
     warp::Pixel pixel(0, 0, 0, alpha);
     for (int c = 0; c < 3; ++c) {
       if (colors[c] < 0) continue;
       const Sample sample = row[colors[c]];
-      if (layout_.a < 0 || layout_.alpha == AlphaKind::kPremultiplied) {
+      if (layout_.a < 0) {
         pixel[c] = straight(sample);
       } else if (layout_.alpha == AlphaKind::kStraight) {
         pixel[c] = straight(sample) * alpha;
+      } else if (!kIsFloat && number(sample) > alpha) {
+        pixel[c] = alpha;
+        above_alpha = true;
+      } else if (layout_.alpha == AlphaKind::kPremultiplied) {
+        pixel[c] = straight(sample);
       } else {
         pixel[c] = alpha > 0 ? linear(number(sample) / alpha) * alpha : 0.0F;
       }
     }
     const bool finite =
-        std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]) && std::isfinite(pixel[3]);
+        std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2]) && std::isfinite(stored_alpha);
     out[x] = finite ? pixel : warp::Pixel(0, 0, 0, 0);
-    nonfinite += finite ? 0 : 1;
+    if (!finite) {
+      ++faults.nonfinite;
+    } else {
+      faults.alpha_outside += stored_alpha == alpha ? 0 : 1;
+      faults.above_alpha += above_alpha ? 1 : 0;
+    }
   }
-  return nonfinite;
+  return faults;
 }
 
-std::int64_t PixelDecoder::decode(const void* row, int width, warp::Pixel* out) const noexcept {
+PixelFaults PixelDecoder::decode(const void* row, int width, warp::Pixel* out) const noexcept {
   switch (layout_.type) {
     case SampleType::kU8:
       return decode_samples(static_cast<const std::uint8_t*>(row), width, out);

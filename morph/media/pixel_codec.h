@@ -28,6 +28,16 @@ enum class AlphaKind {
   kStoredAssociated,  ///< alpha, after the transfer function (8- and 16-bit TIFF and TGA with associated alpha)
 };
 
+/// Pixels that could not be taken as they are stored.
+struct PixelFaults {
+  std::int64_t nonfinite = 0;      ///< a sample is NaN or infinite: transparent black instead
+  std::int64_t alpha_outside = 0;  ///< alpha is clamped to [0, 1]
+  std::int64_t above_alpha = 0;    ///< a premultiplied colour of an integer file is clamped to alpha
+
+  PixelFaults& operator+=(const PixelFaults& other) noexcept;
+  bool operator==(const PixelFaults&) const = default;
+};
+
 struct StoredLayout {
   SampleType type = SampleType::kU8;
   int channels = 4;         ///< samples from one pixel to the next
@@ -42,13 +52,14 @@ class PixelDecoder {
  public:
   explicit PixelDecoder(const StoredLayout& layout);
 
-  /// @param row  `width * layout.channels` samples. A pixel with a sample that is not finite becomes transparent black.
-  /// @return     the number of such pixels.
-  std::int64_t decode(const void* row, int width, warp::Pixel* out) const noexcept;
+  /// Alpha is in [0, 1] afterwards. Premultiplied floats may be brighter than alpha: fire and light in EXR. Integers
+  /// cannot mean that, and division by a small alpha would make them burning specks.
+  /// @param row  `width * layout.channels` samples.
+  PixelFaults decode(const void* row, int width, warp::Pixel* out) const noexcept;
 
  private:
   template <typename Sample>
-  std::int64_t decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept;
+  PixelFaults decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept;
   float linear(float stored) const noexcept;
 
   StoredLayout layout_;

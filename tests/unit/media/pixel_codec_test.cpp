@@ -18,7 +18,7 @@ std::vector<Sample> round_trip(const std::vector<Sample>& samples, SampleType ty
   layout.type = type;
   const int width = static_cast<int>(samples.size() / 4);
   std::vector<warp::Pixel> pixels(static_cast<std::size_t>(width));
-  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), width, pixels.data()), 0);
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), width, pixels.data()), PixelFaults());
   std::vector<Sample> result(samples.size());
   PixelEncoder(type, 4).encode(pixels.data(), width, result.data());
   return result;
@@ -86,9 +86,46 @@ TEST(PixelCodec, NonFinitePixelsBecomeTransparentAndAreCounted) {
   layout.transfer.kind = Transfer::Kind::kLinear;
   const std::vector<float> samples = {kNan, 0, 0, 1, 0, -kInfinity, 0, 1, 5, -2, 0.5F, 1, 0, 0, 0, kNan};
   std::vector<warp::Pixel> pixels(4);
-  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), 3);
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), (PixelFaults{.nonfinite = 3}));
   for (const int i : {0, 1, 3}) EXPECT_EQ(pixels[static_cast<std::size_t>(i)], warp::Pixel(0, 0, 0, 0));
   EXPECT_EQ(pixels[2], warp::Pixel(5, -2, 0.5F, 1));
+}
+
+TEST(PixelCodec, AlphaOutsideIsClampedAndCountedAndColorStays) {
+  StoredLayout layout;
+  layout.type = SampleType::kFloat;
+  layout.transfer.kind = Transfer::Kind::kLinear;
+  const std::vector<float> samples = {3, -2, 0.5F, 1.5F, 3, -2, 0.5F, -0.25F, 3, 0, 0, 0.5F, 3, 0, 0, INFINITY};
+  std::vector<warp::Pixel> pixels(4);
+  const PixelFaults expected{.nonfinite = 1, .alpha_outside = 2};
+  layout.alpha = AlphaKind::kPremultiplied;
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), expected);
+  EXPECT_EQ(pixels[0], warp::Pixel(3, -2, 0.5F, 1));
+  EXPECT_EQ(pixels[1], warp::Pixel(3, -2, 0.5F, 0));
+  EXPECT_EQ(pixels[2], warp::Pixel(3, 0, 0, 0.5F));  // brighter than alpha: light
+  layout.alpha = AlphaKind::kStraight;
+  EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), expected);
+  EXPECT_EQ(pixels[0], warp::Pixel(3, -2, 0.5F, 1));
+  EXPECT_EQ(pixels[1], warp::Pixel(0, 0, 0, 0));
+}
+
+TEST(PixelCodec, IntegersAboveAlphaAreHeldInBothPremultipliedForms) {
+  for (const AlphaKind kind : {AlphaKind::kPremultiplied, AlphaKind::kStoredAssociated}) {
+    StoredLayout layout;
+    layout.type = SampleType::kU16;
+    layout.transfer.kind = Transfer::Kind::kLinear;
+    layout.alpha = kind;
+    const std::vector<std::uint16_t> samples = {65535, 0, 1, 2, 9, 8, 0, 0, 13107, 0, 26214, 26214};
+    std::vector<warp::Pixel> pixels(3);
+    const PixelFaults expected{.above_alpha = 2};
+    EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 3, pixels.data()), expected);
+    const float alpha = 2.0F / 65535.0F;
+    EXPECT_EQ(pixels[0][0], alpha);
+    EXPECT_NEAR(pixels[0][2], 1.0F / 65535.0F, 1e-12);
+    EXPECT_EQ(pixels[1], warp::Pixel(0, 0, 0, 0));
+    EXPECT_NEAR(pixels[2][0], 0.2, 1e-7);
+    EXPECT_EQ(pixels[2][2], 0.4F);
+  }
 }
 
 }  // namespace
