@@ -19,7 +19,6 @@
 #include "cli/terminal.h"
 #include "morph/job/pictures.h"
 #include "morph/job/run.h"
-#include "morph/media/frame_pattern.h"
 #include "morph/media/frame_sink.h"
 #include "morph/media/image_file.h"
 #include "morph/render/renderer.h"
@@ -45,7 +44,7 @@ media::SinkOptions sink_options(const MorphOptions& options, const render::Rende
   sink.image.depth = media::depth_from(options.depth);
   sink.image.compression = options.compression;
   sink.preset = options.preset;
-  // Resuming replaces files that have a frame's name but are not frames.
+  // Resuming replaces files that have a frame's name but are damaged or made from something else.
   sink.image.overwrite = options.overwrite || options.resume;
   if (options.quality >= 0) sink.image.quality = sink.video_quality = options.quality;
   return sink;
@@ -70,6 +69,7 @@ void say_what_was_done(const MorphOptions& options, const render::Renderer& rend
     Report report;
     report.set("output", options.output.string()).set("width", renderer.size().width);
     report.set("height", renderer.size().height).set("frames", done.done).set("skipped", done.skipped);
+    report.set("renewed", done.renewed);
     report.set("seconds", elapsed_s);
     output.line(report.to_json());
     return;
@@ -86,11 +86,11 @@ int render_moment(const MorphOptions& options, const render::Renderer& renderer,
   const auto start = std::chrono::steady_clock::now();
   media::write_image(options.output, renderer.frame(renderer.clock().at(*options.t)), sink.image);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  say_what_was_done(options, renderer, {1, 0, 1, 0}, elapsed.count(), output);
+  say_what_was_done(options, renderer, {1, 0, 1, 0, 0}, elapsed.count(), output);
   return 0;
 }
 
-int render_frames(const MorphOptions& options, const render::Renderer& renderer, const media::SinkOptions& sink_options,
+int render_frames(const MorphOptions& options, const render::Renderer& renderer, media::SinkOptions sink_options,
                   Output& output) {
   const int first = renderer.clock().first(), last = renderer.clock().last();
   job::RunOptions run;
@@ -98,9 +98,9 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
       parse_frame_range(options.frames.empty() ? fmt::format("{}-{}", first, last) : options.frames, first, last);
   run.resume = options.resume;
   run.cancelled = interrupted;
-  const bool numbered = media::FramePattern::matches(options.output);
-  if (options.resume && !numbered && std::filesystem::exists(options.output)) {
-    output.note(options.output.string() + ": is complete, for it would not be there otherwise; nothing to resume");
+  sink_options.frames = run.frames;
+  if (options.resume && media::is_complete_video(options.output, sink_options)) {
+    say_what_was_done(options, renderer, {0, static_cast<int>(run.frames.size()), 0, 0, 0}, 0, output);
     return 0;
   }
   const auto sink = media::open_sink(options.output, sink_options, run.frames.size() == 1);
@@ -113,6 +113,9 @@ int render_frames(const MorphOptions& options, const render::Renderer& renderer,
     run.on_progress = [&](const job::Progress& p) { bar.update(p.done, p.skipped, p.total); };
     done = job::run(renderer, *sink, run);
   }
+  if (done.renewed > 0)
+    output.warning(fmt::format("{} of {} frames were damaged or made from something else: rendered anew", done.renewed,
+                               done.total));
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   say_what_was_done(options, renderer, done, elapsed.count(), output);
   return 0;

@@ -6,6 +6,8 @@
 
 #include "base/parallel.h"
 #include "base/stop.h"
+#include "base/whole_file.h"
+#include "morph/media/made_from.h"
 
 namespace morphkit::job {
 namespace {
@@ -27,9 +29,13 @@ Pictures load_pictures(const project::Project& project) {
       return workers.run([&] { return load(project, side); });
     }));
   Pictures pictures;
+  std::vector<std::filesystem::path> files;
+  for (const project::Picture& side : project.pictures) files.push_back(project::resolve(project, side.image));
   for (std::future<media::Picture>& picture : loading) pictures.sides.push_back(picture.get());
   if (const auto* file = std::get_if<std::filesystem::path>(&project.output.background))
-    pictures.background = media::read_picture(project::resolve(project, *file));
+    pictures.background = media::read_picture(files.emplace_back(project::resolve(project, *file)));
+  for (const std::filesystem::path& file : files)
+    pictures.digest += media::digest_of(read_file(file, "picture")) + '\n';
   return pictures;
 }
 

@@ -2,6 +2,7 @@
 // The pictures that a project names, from their files.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "morph/media/image_file.h"
@@ -13,6 +14,7 @@ namespace morphkit::job {
 struct Pictures {
   std::vector<media::Picture> sides;  ///< in the order of Project::pictures
   std::optional<media::Picture> background;
+  std::string digest;  ///< of the bytes of all the files
 };
 
 /// Loads what the project names, several files at once. @throws Error as media::read_picture, of the first bad picture.

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,6 +41,28 @@ int frames_in_flight(const RunOptions& options, const render::Renderer& renderer
   return in_flight;
 }
 
+std::string text_without_paths(project::Project project) {
+  project.original.reset();
+  project.file.clear();
+  for (project::Picture& picture : project.pictures) picture.image = "picture";
+  if (std::holds_alternative<std::filesystem::path>(project.output.background))
+    project.output.background = std::filesystem::path("background");
+  return project::to_text(project);
+}
+
+/// Which of the frames are done. They are looked at in parallel: each is decoded.
+std::vector<char> find_done(const media::FrameSink& sink, const std::vector<int>& frames) {
+  std::vector<char> done(frames.size());
+  for_rows(
+      static_cast<int>(frames.size()),
+      [&](int begin, int end) {
+        for (int i = begin; i < end; ++i)
+          done[static_cast<std::size_t>(i)] = sink.has(frames[static_cast<std::size_t>(i)]);
+      },
+      1);
+  return done;
+}
+
 }  // namespace
 
 media::SinkOptions sink_options(const render::Renderer& renderer, const Pictures& pictures) {
@@ -48,6 +74,11 @@ media::SinkOptions sink_options(const render::Renderer& renderer, const Pictures
   sink.has_alpha = renderer.has_alpha();
   sink.image.alpha = renderer.has_alpha();  // the same channels in every frame
   sink.image.metadata = pictures.sides.front().metadata;
+  sink.made_from = [document = text_without_paths(renderer.project()), digest = pictures.digest,
+                    clock = renderer.clock()](int frame) {
+    const project::Time time = clock.at_frame(frame);
+    return fmt::format("{}\n{}frame {} t {}", document, digest, time.frame, time.t);
+  };
   return sink;
 }
 
@@ -55,11 +86,15 @@ Progress run(const render::Renderer& renderer, media::FrameSink& sink, const Run
   Progress progress;
   progress.total = static_cast<int>(options.frames.size());
   std::vector<int> missing;
-  for (const int frame : options.frames)
-    if (options.resume && sink.has(frame))
-      ++progress.skipped;
-    else
-      missing.push_back(frame);
+  if (options.resume) {
+    const std::vector<char> done = find_done(sink, options.frames);
+    for (std::size_t i = 0; i < done.size(); ++i)
+      if (done[i] == 0) missing.push_back(options.frames[i]);
+    progress.skipped = static_cast<int>(options.frames.size() - missing.size());
+    for (const int frame : missing) progress.renewed += sink.existing({frame}).empty() ? 0 : 1;
+  } else {
+    missing = options.frames;
+  }
 
   // A morph that cannot be rendered to its end is not begun.
   for (const int frame : missing) renderer.require(renderer.time_of(frame));

@@ -16,18 +16,20 @@ struct Progress {
   int skipped = 0;  ///< frames that were already there
   int total = 0;    ///< frames asked for
   int frame = 0;    ///< number of the frame just finished
+  int renewed = 0;  ///< frames whose files are damaged or were made from something else, among those to render
 };
 
 struct RunOptions {
   std::vector<int> frames;  ///< frame numbers, rising
-  bool resume = false;      ///< skip frames that are already there
+  bool resume = false;      ///< skip frames that are whole and made from the same
   int in_flight = 0;        ///< frames alive at once; 0: as many as keep the threads busy and memory allows
   std::function<void(const Progress&)> on_progress;
   std::function<bool()> cancelled;
 };
 
-/// What a sink must know of the frames: size, rate, whether they may be transparent, and the metadata of the first
-/// picture, which they inherit. What people choose is left at its defaults.
+/// What a sink must know of the frames: size, rate, whether they may be transparent, the metadata of the first picture,
+/// which they inherit, and what each is made from: the document without paths, the bytes of its pictures and the time.
+/// What people choose is left at its defaults.
 media::SinkOptions sink_options(const render::Renderer& renderer, const Pictures& pictures);
 
 /// Renders frames into a sink and finishes it. Frames are encoded while others are rendered and reach the sink in

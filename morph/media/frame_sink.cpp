@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +14,10 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/whole_file.h"
+#include "morph/media/image_format.h"
+#include "morph/media/made_from.h"
+#include "morph/media/process.h"
 #include "morph/media/video_format.h"
 #include "morph/media/video_sink.h"
 
@@ -39,7 +44,9 @@ class FileSink final : public FrameSink {
     if (image.size() != options_.size)
       throw std::invalid_argument(fmt::format("frame {} is {}x{} px, the sink {}x{} px", frame, image.cols, image.rows,
                                               options_.size.width, options_.size.height));
-    return encode_image(file(frame), image, options_.image);
+    WriteOptions write = options_.image;
+    write.software = mark(frame);
+    return encode_image(file(frame), image, write);
   }
 
   void write(int frame, Packet packet) override {
@@ -51,14 +58,12 @@ class FileSink final : public FrameSink {
   void finish() override {}
 
   bool has(int frame) const override {
-    // `write` renames complete files into place, so an existing file of ours is whole. Another file under that name
-    // has another size or is not an image.
     const fs::path name = file(frame);
     std::error_code error;
     if (!fs::is_regular_file(name, error)) return false;
     try {
-      const ImageInfo info = read_info(name);
-      return info.bytes > 0 && cv::Size(info.width, info.height) == options_.size;
+      const Picture picture = read_picture(name);
+      return picture.image.size() == options_.size && (!carries_mark() || says(picture.info, mark(frame)));
     } catch (const Error&) {
       return false;
     }
@@ -74,6 +79,24 @@ class FileSink final : public FrameSink {
   }
 
  private:
+  bool carries_mark() const {
+    const WritableFormat* format = writable_format(name_);
+    return options_.made_from && format != nullptr && format->carries_software;
+  }
+
+  /// What the file of a frame says about what it was made from; empty: nothing.
+  std::string mark(int frame) const {
+    if (!carries_mark()) return "";
+    const WriteOptions& write = options_.image;
+    return made_from_mark(fmt::format("{}\ndepth {} compression {} quality {} alpha {}", options_.made_from(frame),
+                                      static_cast<int>(write.depth), write.compression, write.quality,
+                                      write.alpha ? static_cast<int>(*write.alpha) : -1));
+  }
+
+  static bool says(const ImageInfo& info, const std::string& mark) {
+    return std::ranges::any_of(info.metadata, [&](const auto& entry) { return entry.second == mark; });
+  }
+
   fs::path file(int frame) const { return pattern_ ? (*pattern_)(frame) : name_; }
 
   fs::path name_;
@@ -93,6 +116,27 @@ void check_folder(const fs::path& output) {
     throw Error(
         ErrorKind::kIo, output.string(),
         fmt::format("the folder {} cannot be written: {}", folder.string(), std::generic_category().message(errno)));
+}
+
+/// What a video says about what it was made from; empty: nothing.
+std::string video_mark(const SinkOptions& options) {
+  if (!options.made_from) return "";
+  std::string all =
+      fmt::format("{}x{} at {}/{} quality {} preset {} alpha {}", options.size.width, options.size.height,
+                  options.fps_num, options.fps_den, options.video_quality, options.preset, options.has_alpha);
+  for (const int frame : options.frames) all += "\n" + options.made_from(frame);
+  return made_from_mark(all);
+}
+
+/// Whether ffmpeg decodes all of a file without complaint.
+bool decodes(const fs::path& video) {
+  try {
+    Process ffmpeg({"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-i", "file:" + video.string(), "-f",
+                    "null", "-"});
+    return ffmpeg.finish().ok() && ffmpeg.last_lines().empty();
+  } catch (const std::system_error&) {
+    return false;
+  }
 }
 
 [[noreturn]] void refuse_kind(const fs::path& output) {
@@ -123,11 +167,22 @@ std::unique_ptr<FrameSink> open_sink(const fs::path& output, const SinkOptions& 
   if (numbered) pattern.emplace(output);
   check_folder(output);
   // A .gif is an animation unless its name has a frame number.
-  if (video != nullptr && !numbered) return std::make_unique<VideoSink>(output, *video, options);
+  if (video != nullptr && !numbered) {
+    SinkOptions with_comment = options;
+    with_comment.comment = video_mark(options);
+    return std::make_unique<VideoSink>(output, *video, with_comment);
+  }
   if (!options.preset.empty())
     throw Error(ErrorKind::kUnsupported, output.string(), "images have no presets; they are for .mp4 and .webm");
   check_write_options(output, options.image);
   return std::make_unique<FileSink>(output, std::move(pattern), options);
+}
+
+bool is_complete_video(const fs::path& output, const SinkOptions& options) {
+  std::error_code error;
+  if (find_video_format(output) == nullptr || !fs::is_regular_file(output, error)) return false;
+  const std::string mark = video_mark(options);
+  return !mark.empty() && read_file(output, "video").find(mark) != std::string::npos && decodes(output);
 }
 
 }  // namespace morphkit::media

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,12 @@ struct SinkOptions {
   WriteOptions image;             ///< for frame files; `image.overwrite` applies to videos too
   int video_quality = -1;         ///< CRF if the codec has one; -1: a good default
   std::string preset;             ///< speed preset of the video encoder; empty: a good default
-  bool has_alpha = false;         ///< whether frames may be transparent; formats without alpha get frames over black
+  /// Everything that decides the pixels of a frame, as text; with the options above, its digest goes into the file.
+  /// Empty: files carry none, and resuming cannot tell what they were made from.
+  std::function<std::string(int frame)> made_from;
+  std::vector<int> frames;  ///< of a video, for its digest
+  std::string comment;      ///< of a video; set by open_sink
+  bool has_alpha = false;   ///< whether frames may be transparent; formats without alpha get frames over black
 };
 
 /// Takes frames. `encode` may run for several frames at once, in any order. `write` is called for one frame after the
@@ -38,7 +44,9 @@ class FrameSink {
   /// @throws Error as write; kFailed if no frame was written to a video.
   virtual void finish() = 0;
 
-  /// Whether a complete file of the frame exists (frame files only). `--resume` skips such frames.
+  /// Whether a file of the frame exists that decodes to its end, has the right size and was made from the same as the
+  /// frame would be (frame files only; WebP files do not say what they were made from). Cost: decodes the file.
+  /// Thread-safe.
   virtual bool has(int frame) const = 0;
   /// The existing files that these frames would overwrite.
   virtual std::vector<std::filesystem::path> existing(const std::vector<int>& frames) const = 0;
@@ -54,5 +62,9 @@ class FrameSink {
 ///         refused one by one, by `write`.
 std::unique_ptr<FrameSink> open_sink(const std::filesystem::path& output, const SinkOptions& options,
                                      bool single_frame);
+
+/// Whether `output` is a video that ffmpeg decodes to its end without complaint, and that was made from what `options`
+/// say, frames included. GIF and APNG do not say what they were made from: always false. Cost: decodes the file.
+bool is_complete_video(const std::filesystem::path& output, const SinkOptions& options);
 
 }  // namespace morphkit::media

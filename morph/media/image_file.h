@@ -75,6 +75,7 @@ struct WriteOptions {
   int quality = 95;                          ///< JPEG and WebP, 1..100; 100 is lossless for WebP
   std::optional<bool> alpha;                 ///< store alpha if the format can; unset: only if a pixel is not opaque
   std::shared_ptr<const Metadata> metadata;  ///< written if given
+  std::string software;                      ///< if not empty, the "Software" of PNG, JPEG, TIFF, EXR and TGA files
   bool overwrite = false;
 };
 

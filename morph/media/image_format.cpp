@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 
 const std::vector<WritableFormat>& writable_formats() {
   static const std::vector<WritableFormat> formats = {
-      {"png", "PNG", {".png"}, {Depth::k8, Depth::k16}, true, 65535, true},
-      {"tiff", "TIFF", {".tif", ".tiff"}, {Depth::k16, Depth::k8, Depth::kFloat}, true, 65535, true},
-      {"jpeg", "JPEG", {".jpg", ".jpeg", ".jpe"}, {Depth::k8}, false, 65500, false},
-      {"webp", "WebP", {".webp"}, {Depth::k8}, true, 16383, false},
-      {"targa", "TGA", {".tga"}, {Depth::k8}, true, 65535, false},
-      {"openexr", "EXR", {".exr"}, {Depth::kHalf, Depth::kFloat}, true, 65535, true},
+      {"png", "PNG", {".png"}, {Depth::k8, Depth::k16}, true, 65535, true, true},
+      {"tiff", "TIFF", {".tif", ".tiff"}, {Depth::k16, Depth::k8, Depth::kFloat}, true, 65535, true, true},
+      {"jpeg", "JPEG", {".jpg", ".jpeg", ".jpe"}, {Depth::k8}, false, 65500, false, true},
+      {"webp", "WebP", {".webp"}, {Depth::k8}, true, 16383, false, false},
+      {"targa", "TGA", {".tga"}, {Depth::k8}, true, 65535, false, true},
+      {"openexr", "EXR", {".exr"}, {Depth::kHalf, Depth::kFloat}, true, 65535, true, true},
   };
   return formats;
 }

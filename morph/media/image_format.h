@@ -16,8 +16,9 @@ struct WritableFormat {
   std::vector<std::string> names;  ///< extensions, lower case, with the dot
   std::vector<Depth> depths;       ///< supported depths; the first is the usual one
   bool alpha = false;
-  int largest_side = 0;      ///< px
-  bool compression = false;  ///< whether it has levels of compression
+  int largest_side = 0;           ///< px
+  bool compression = false;       ///< whether it has levels of compression
+  bool carries_software = false;  ///< whether a file says what wrote it
 };
 
 /// The format of the file's extension, in upper or lower case; null if morphkit does not write it.

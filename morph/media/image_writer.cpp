@@ -227,6 +227,7 @@ OIIO::ImageSpec make_spec(const WritableFormat& format, cv::Size size, int chann
   // An empty date keeps OpenImageIO from writing today's: the same picture gives the same bytes.
   spec["DateTime"] = "";
   if (options.metadata) options.metadata->apply(spec);
+  if (!options.software.empty()) spec["Software"] = options.software;
   const bool is_float = sample_type(depth) == SampleType::kFloat;
   spec["Orientation"] = 1;
   spec["oiio:ColorSpace"] = is_float ? "Linear" : "sRGB";

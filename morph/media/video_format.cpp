@@ -184,6 +184,7 @@ std::vector<std::string> ffmpeg_command(const VideoFormat& format, const SinkOpt
   append(arguments, {"-f", "rawvideo", "-pix_fmt", pix_fmt(format.raw(options.has_alpha)), "-video_size",
                      fmt::format("{}x{}", size.width, size.height), "-framerate", rate, "-i", "pipe:0"});
   append_codec(arguments, format, options);
+  if (!options.comment.empty()) append(arguments, {"-metadata", "comment=" + options.comment});
   // -r again, for the output: ffmpeg otherwise guesses the input's rate from its times and takes 120000/1001 for 120.
   append(arguments, {"-r", rate});
   // Without bitexact, containers hold dates, random identifiers and version numbers. x264's bytes depend on the number

@@ -197,12 +197,64 @@ TEST_F(Morph, ResumeCompletesToTheSameBytes) {
   for (const std::string& name : files("whole")) expect_same(folder_ / name, folder_ / ("part" + name.substr(5)));
 }
 
-TEST_F(Morph, ResumeLeavesAFinishedVideoAlone) {
-  write_text(folder_ / "film.mp4", "finished");
-  const RunResult result = run({"morph", "pair.json", "-o", "film.mp4", "--resume"});
+TEST_F(Morph, ResumeRendersDamagedFramesAnew) {
+  for (const std::string kind : {"png", "exr", "tif", "jpg", "tga", "webp"}) {
+    const std::string pattern = "part.%02d." + kind;
+    EXPECT_EQ(run({"morph", "pair.json", "-o", pattern}).exit_code, 0);
+    const std::string whole = read_text(folder_ / ("part.05." + kind));
+    write_text(folder_ / ("part.05." + kind), whole.substr(0, whole.size() * 2 / 3));
+    const RunResult result = run({"morph", "pair.json", "-o", pattern, "--resume"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(contains(result.err, "1 of 12 frames were damaged")) << kind << ": " << result.err;
+    EXPECT_TRUE(contains(result.err, "11 were there already")) << kind << ": " << result.err;
+    EXPECT_EQ(read_text(folder_ / ("part.05." + kind)), whole) << kind;
+  }
+}
+
+TEST_F(Morph, ResumeRendersFramesOfAnotherProjectAnew) {
+  EXPECT_EQ(run({"morph", "pair.json", "-o", "part.%02d.png"}).exit_code, 0);
+  const auto renewed = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"morph", "pair.json", "-o", "part.%02d.png", "--resume"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return contains(result.err, "12 of 12 frames were damaged or made from something else: rendered anew");
+  };
+  EXPECT_FALSE(renewed({}));
+  EXPECT_TRUE(renewed({"--set", "features/nose.point.source=[20, 10]"}));
+  EXPECT_TRUE(renewed({}));
+  EXPECT_TRUE(renewed({"--compression", "6"}));
+  EXPECT_TRUE(renewed({"--depth", "16"}));
+  write_picture("a.png", {64, 48}, {0.5f, 0.2f, 0, 1});
+  EXPECT_TRUE(renewed({"--depth", "16"}));
+  EXPECT_FALSE(renewed({"--depth", "16", "--threads", "1"}));
+}
+
+TEST_F(Morph, ResumeDoesNotMindWhereThePicturesLie) {
+  EXPECT_EQ(run({"morph", "pair.json", "-o", "part.%02d.png"}).exit_code, 0);
+  fs::rename(folder_ / "a.png", folder_ / "moved.png");
+  const RunResult result =
+      run({"morph", "pair.json", "-o", "part.%02d.png", "--resume", "--set", "source.image=moved.png"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_TRUE(contains(result.err, "complete")) << result.err;
-  EXPECT_EQ(read_text(folder_ / "film.mp4"), "finished");
+  EXPECT_TRUE(contains(result.err, "12 were there already")) << result.err;
+}
+
+TEST_F(Morph, ResumeLeavesACompleteVideoAlone) {
+  for (const std::string name : {"film.mp4", "film.webm", "film.mkv", "film.mov"}) {
+    const auto resumed = [&](const std::string& what) {
+      const RunResult result = run({"morph", "pair.json", "-o", name, "--resume"});
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_TRUE(contains(result.err, what)) << name << ": " << result.err;
+    };
+    EXPECT_EQ(run({"morph", "pair.json", "-o", name, "--frames", "1-4"}).exit_code, 0);
+    resumed("12 of 12 frames were damaged or made from something else");
+    const std::string whole = read_text(folder_ / name);
+    resumed("12 were there already");
+    EXPECT_EQ(read_text(folder_ / name), whole);
+    write_text(folder_ / name, whole.substr(0, whole.size() * 4 / 5));
+    resumed("12 of 12 frames were damaged");
+    EXPECT_EQ(read_text(folder_ / name), whole) << name;
+  }
 }
 
 TEST_F(Morph, AnInterruptFinishesFramesInWorkAndResumes) {
