@@ -45,7 +45,7 @@ class FrameSink {
   virtual void finish() = 0;
 
   /// Whether a file of the frame exists that decodes to its end, has the right size and was made from the same as the
-  /// frame would be (frame files only; WebP files do not say what they were made from). Cost: decodes the file.
+  /// frame would be (frame files only; WebP and TGA files do not say what they were made from). Cost: decodes the file.
   /// Thread-safe.
   virtual bool has(int frame) const = 0;
   /// The existing files that these frames would overwrite.

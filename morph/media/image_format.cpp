@@ -26,7 +26,7 @@ const std::vector<WritableFormat>& writable_formats() {
       {"tiff", "TIFF", {".tif", ".tiff"}, {Depth::k16, Depth::k8, Depth::kFloat}, true, 65535, true, true},
       {"jpeg", "JPEG", {".jpg", ".jpeg", ".jpe"}, {Depth::k8}, false, 65500, false, true},
       {"webp", "WebP", {".webp"}, {Depth::k8}, true, 16383, false, false},
-      {"targa", "TGA", {".tga"}, {Depth::k8}, true, 65535, false, true},
+      {"targa", "TGA", {".tga"}, {Depth::k8}, true, 65535, false, false},
       {"openexr", "EXR", {".exr"}, {Depth::kHalf, Depth::kFloat}, true, 65535, true, true},
   };
   return formats;
