@@ -62,7 +62,7 @@ FileInfo picture_info(const std::filesystem::path& file, bool pixels) {
   FileInfo info;
   info.text = fmt::format("{}: {}, {}x{}, {} channels of {}{}\n", file.string(), image.format, image.width,
                           image.height, image.channels, image.channel_type, image.has_alpha ? ", with alpha" : "");
-  info.text += fmt::format("  colour       read as {}\n", image.color_space);
+  info.text += fmt::format("  colour       {}\n", image.color_told);
   if (image.orientation != 1) {
     info.text += fmt::format("  orientation  EXIF {}: turned upright on reading\n", image.orientation);
   }
@@ -70,7 +70,9 @@ FileInfo picture_info(const std::filesystem::path& file, bool pixels) {
   info.report.set("file", file.string()).set("kind", "picture").set("format", image.format);
   info.report.set("width", image.width).set("height", image.height).set("channels", image.channels);
   info.report.set("channel_type", image.channel_type).set("alpha", image.has_alpha);
-  info.report.set("color_space", image.color_space).set("orientation", image.orientation);
+  info.report.set("color_space", image.color_space)
+      .set("color", image.color_told)
+      .set("orientation", image.orientation);
   info.report.set("bytes", image.bytes);
   if (pixels) add_pixels(media::read_picture(file), info);
   Report metadata;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/cmd_morph.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/exit_code.h"
@@ -92,6 +93,8 @@ void print_text(const CompareOptions& options, const FileDifference& found, cons
 int run_compare(const CompareOptions& options, Output& output) {
   const media::Picture a = media::read_picture(options.a);
   const media::Picture b = media::read_picture(options.b);
+  warn_of_pixels(options.a, a, output);
+  warn_of_pixels(options.b, b, output);
   if (a.image.size() != b.image.size()) return report_sizes(options, a.image.size(), b.image.size(), output);
 
   const FileDifference found{warp::compare(a.image, b.image), a.nonfinite_pixels, b.nonfinite_pixels};

@@ -25,7 +25,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmorphkit-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libopencv-dev, libopenimageio-dev, libtbb-dev, libhwy-dev, libfmt-dev, libwebp-dev, zlib1g-dev")
+  "libopencv-dev, libopenimageio-dev, libtbb-dev, libhwy-dev, libfmt-dev, libwebp-dev, liblcms2-dev, zlib1g-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 "2D image morphing and warping, for C++ programs
  Headers, static libraries and a CMake package: morphkit::warp for images in

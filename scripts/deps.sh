@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache pkg-config git
-  libopencv-dev libopenimageio-dev openimageio-tools libwebp-dev zlib1g-dev libtbb-dev libhwy-dev
+  libopencv-dev libopenimageio-dev openimageio-tools libwebp-dev liblcms2-dev zlib1g-dev libtbb-dev libhwy-dev
   libcli11-dev nlohmann-json3-dev libfmt-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   ffmpeg # at run time: video goes through the program

@@ -54,6 +54,7 @@ std::vector<std::string> warnings_of(const Picture& picture) {
   warn_of(picture.alpha_outside_pixels, "have alpha below 0 or above 1; it is clamped");
   warn_of(picture.above_alpha_pixels,
           "are brighter than their alpha, although the file says that it is premultiplied; they are clamped to alpha");
+  if (!picture.info.color_warning.empty()) warnings.push_back(picture.info.color_warning);
   if (picture.info.ignores_alpha) warnings.emplace_back("the header declares no alpha, so the last channel is ignored");
   if (picture.transparent_everywhere) warnings.emplace_back("the picture is transparent everywhere");
   return warnings;

@@ -1,6 +1,7 @@
 #pragma once
 // Still images in files. Only this folder uses OpenImageIO. Colour and alpha are converted here, once: images are read
-// as linear, premultiplied float RGBA, and written in the form of the file format.
+// as linear, premultiplied float RGBA with Rec.709
+// primaries, and written in the form of the file format.
 
 #include <cstdint>
 #include <filesystem>
@@ -32,7 +33,9 @@ struct ImageInfo {
   bool has_alpha = false;
   bool ignores_alpha = false;  ///< the last channel may be alpha, but the header does not say so
   std::string channel_type;    ///< "uint8", "uint16", "half", "float"
-  std::string color_space;     ///< "sRGB" or "linear": how morphkit reads it
+  std::string color_space;     ///< how it is read: "sRGB", "linear", a profile's name
+  std::string color_told;      ///< what the file says of its colours and what is done
+  std::string color_warning;   ///< what of that is not obeyed; empty: nothing
   int orientation = 1;         ///< EXIF, 1..8, as stored
   std::int64_t bytes = 0;      ///< file size
   std::vector<std::pair<std::string, std::string>> metadata;  ///< everything else, as text, in the order of the file

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <mutex>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/whole_file.h"
-#include "base/words.h"
+#include "morph/media/color_tags.h"
 #include "morph/media/guard/exr_check.h"
 #include "morph/media/guard/png_check.h"
 #include "morph/media/guard/promise_check.h"
@@ -29,10 +26,6 @@ namespace fs = std::filesystem;
 /// Rows that are read at once: enough for the threads that convert them, small compared to the picture, and more than
 /// the 32 rows that EXR packs together.
 constexpr int kBandRows = 64;
-
-/// Before PNG had a tag for sRGB, gAMA 1/2.2 marked such files.
-constexpr float kGammaOfSrgb = 2.2F;
-constexpr float kGammaTolerance = 0.05F;
 
 constexpr int kLastOrientation = 8;
 constexpr int kFirstTurned = 5;  // EXIF orientations 5..8 swap width and height
@@ -56,22 +49,6 @@ std::string drain(const OIIO::ImageInput* input) {
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
   const std::string bytes = read_file(file, "picture");
   return {bytes.begin(), bytes.end()};
-}
-
-/// The transfer function that the file states, if we support it. Rec.709 material is shown on sRGB screens as if it
-/// were sRGB, and is read in the same way.
-std::optional<Transfer> tagged_transfer(const OIIO::ImageSpec& spec) {
-  const std::string tag = lower(std::string(spec.get_string_attribute("oiio:ColorSpace")));
-  float gamma = spec.get_float_attribute("oiio:Gamma", 0.0F);
-  if (gamma == 0.0F && tag.starts_with("gamma")) {
-    gamma = std::strtof(tag.c_str() + std::string_view("gamma").size(), nullptr);
-  }
-  if (tag == "srgb" || tag == "rec709") return Transfer{Transfer::Kind::kSrgb};
-  if (tag == "linear" || tag == "lin_srgb" || tag == "scene_linear") return Transfer{Transfer::Kind::kLinear};
-  if (!(gamma > 0.1F && gamma < 10.0F)) return std::nullopt;
-  if (std::abs(gamma - kGammaOfSrgb) < kGammaTolerance) return Transfer{Transfer::Kind::kSrgb};
-  if (gamma == 1.0F) return Transfer{Transfer::Kind::kLinear};
-  return Transfer{Transfer::Kind::kGamma, gamma};
 }
 
 /// Whether an error message after a "successful" read means damage. libtiff and others leave zeros where they could not
@@ -137,6 +114,8 @@ ImageReader::ImageReader(const fs::path& file) : file_(file), format_(sniff_form
       const WebpHeader header = webp_header(file_, bytes_);
       spec_ = OIIO::ImageSpec(header.width, header.height, header.has_alpha ? 4 : 3, OIIO::TypeDesc::UINT8);
       spec_["oiio:UnassociatedAlpha"] = 1;
+      if (const std::span<const std::uint8_t> icc = webp_profile(bytes_); !icc.empty())
+        spec_.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(icc.size())), icc.data());
     } else {
       open();
     }
@@ -231,11 +210,8 @@ void ImageReader::choose_channels() {
   }
 }
 
-Transfer ImageReader::transfer(ColorSpace space) const {
-  if (space == ColorSpace::kSrgb) return {Transfer::Kind::kSrgb};
-  if (space == ColorSpace::kLinear) return {Transfer::Kind::kLinear};
-  if (const std::optional<Transfer> tagged = tagged_transfer(spec_)) return *tagged;
-  return {spec_.format.is_floating_point() ? Transfer::Kind::kLinear : Transfer::Kind::kSrgb};
+ColorReading ImageReader::color(ColorSpace space) const {
+  return color_reading(spec_, r_ == g_ ? 1 : 3, space);
 }
 
 StoredLayout ImageReader::layout(ColorSpace space) const {
@@ -247,13 +223,13 @@ StoredLayout ImageReader::layout(ColorSpace space) const {
   result.g = within(g_);
   result.b = within(b_);
   result.a = within(a_);
-  result.transfer = transfer(space);
+  result.color = color(space).conversion;
   // TIFF and TGA have both kinds of alpha; in other files the format decides.
   const bool is_associated_tiff = format_ == "tiff" && spec_.get_int_attribute("oiio:UnassociatedAlpha", 0) != 1;
   if (format_ == "openexr") {
     result.alpha = AlphaKind::kPremultiplied;
   } else if (is_associated_tiff || declared_alpha_ == DeclaredAlpha::kPremultiplied) {
-    const bool is_linear = result.transfer.kind == Transfer::Kind::kLinear;
+    const bool is_linear = result.color.transfer.kind == Transfer::Kind::kLinear;
     result.alpha = is_linear ? AlphaKind::kPremultiplied : AlphaKind::kStoredAssociated;
   }
   return result;
@@ -270,10 +246,10 @@ ImageInfo ImageReader::info(ColorSpace space) const {
   result.has_alpha = a_ >= 0;
   result.ignores_alpha = format_ == "targa" && declared_alpha_ == DeclaredAlpha::kNone && spec_.nchannels % 2 == 0;
   result.channel_type = spec_.format.c_str();
-  const Transfer how = transfer(space);
-  result.color_space = how.kind == Transfer::Kind::kSrgb     ? "sRGB"
-                       : how.kind == Transfer::Kind::kLinear ? "linear"
-                                                             : fmt::format("gamma {:g}", how.gamma);
+  const ColorReading how = color(space);
+  result.color_space = how.space;
+  result.color_told = how.told;
+  result.color_warning = how.warning;
   result.orientation = orientation_;
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file_, error);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/media/color_tags.h"
 #include "morph/media/declared_alpha.h"
 #include "morph/media/image_file.h"
 #include "morph/media/pixel_codec.h"
@@ -35,7 +36,7 @@ class ImageReader {
   bool is_display_window() const;
   void choose_channels();
   void choose_alpha();
-  Transfer transfer(ColorSpace space) const;
+  ColorReading color(ColorSpace space) const;
   StoredLayout layout(ColorSpace space) const;
   void read_rows(int begin, int end, const OIIO::TypeDesc& type, void* data);
   warp::Image read_stored(const PixelDecoder& decoder, PixelFaults& faults);

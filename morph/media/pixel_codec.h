@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "warp/image/image.h"
@@ -19,6 +20,14 @@ struct Transfer {
   enum class Kind { kSrgb, kLinear, kGamma };
   Kind kind = Kind::kSrgb;
   float gamma = 1.0F;  ///< linear = stored ^ gamma, for kGamma
+};
+
+class ProfileTransform;
+
+/// How stored colours become linear light with Rec.709 primaries.
+struct ColorConversion {
+  Transfer transfer;                                ///< unused with a profile
+  std::shared_ptr<const ProfileTransform> profile;  ///< null: none
 };
 
 /// The factor in the stored colour.
@@ -43,7 +52,8 @@ struct StoredLayout {
   int channels = 4;         ///< samples from one pixel to the next
   int r = 0, g = 1, b = 2;  ///< index of each colour's sample; -1: the colour is 0
   int a = 3;                ///< -1: opaque
-  Transfer transfer;
+  int k = -1;               ///< black ink, if r, g and b are cyan, magenta and yellow; with a profile only
+  ColorConversion color;
   AlphaKind alpha = AlphaKind::kStraight;
 };
 
@@ -60,6 +70,10 @@ class PixelDecoder {
  private:
   template <typename Sample>
   PixelFaults decode_samples(const Sample* row, int width, warp::Pixel* out) const noexcept;
+  template <typename Sample>
+  PixelFaults decode_profiled(const Sample* row, int width, warp::Pixel* out) const noexcept;
+  template <typename Sample>
+  PixelFaults decode_kind(const void* row, int width, warp::Pixel* out) const noexcept;
   float linear(float stored) const noexcept;
 
   StoredLayout layout_;

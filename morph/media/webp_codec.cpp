@@ -4,7 +4,9 @@
 #include <webp/decode.h>
 #include <webp/encode.h>
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/stop.h"
@@ -34,6 +36,20 @@ WebPBitstreamFeatures features_of(const std::filesystem::path& file, std::span<c
 WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
   const WebPBitstreamFeatures features = features_of(file, bytes);
   return {features.width, features.height, features.has_alpha != 0};
+}
+
+/// RIFF: a header of 12 bytes, then chunks of a name, a size (little endian) and the data, padded to an even size.
+std::span<const std::uint8_t> webp_profile(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;
+  constexpr std::string_view kName = "ICCP";
+  for (std::size_t at = kFileHeader; at + kChunkHeader <= bytes.size();) {
+    const auto chunk = bytes.subspan(at);
+    const std::size_t size = chunk[4] | chunk[5] << 8U | chunk[6] << 16U | static_cast<std::size_t>(chunk[7]) << 24U;
+    if (size > chunk.size() - kChunkHeader) return {};
+    if (std::equal(kName.begin(), kName.end(), chunk.begin())) return chunk.subspan(kChunkHeader, size);
+    at += kChunkHeader + size + size % 2;
+  }
+  return {};
 }
 
 std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {

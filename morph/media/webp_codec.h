@@ -18,7 +18,10 @@ struct WebpHeader {
 /// @throws Error kBadInput if it is damaged; kUnsupported if it is an animation.
 WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
-/// 8-bit sRGB, unpremultiplied RGBA. @throws Error kBadInput if it is damaged or cut short.
+/// The ICC profile in the file; empty if there is none.
+std::span<const std::uint8_t> webp_profile(std::span<const std::uint8_t> bytes);
+
+/// 8-bit, unpremultiplied RGBA. @throws Error kBadInput if it is damaged or cut short.
 std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 /// @param samples   `width * height * channels` samples, RGB or unpremultiplied RGBA.

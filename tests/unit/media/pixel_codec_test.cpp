@@ -83,7 +83,7 @@ TEST(PixelCodec, NonFinitePixelsBecomeTransparentAndAreCounted) {
   StoredLayout layout;
   layout.type = SampleType::kFloat;
   layout.alpha = AlphaKind::kPremultiplied;
-  layout.transfer.kind = Transfer::Kind::kLinear;
+  layout.color.transfer.kind = Transfer::Kind::kLinear;
   const std::vector<float> samples = {kNan, 0, 0, 1, 0, -kInfinity, 0, 1, 5, -2, 0.5F, 1, 0, 0, 0, kNan};
   std::vector<warp::Pixel> pixels(4);
   EXPECT_EQ(PixelDecoder(layout).decode(samples.data(), 4, pixels.data()), (PixelFaults{.nonfinite = 3}));
@@ -94,7 +94,7 @@ TEST(PixelCodec, NonFinitePixelsBecomeTransparentAndAreCounted) {
 TEST(PixelCodec, AlphaOutsideIsClampedAndCountedAndColorStays) {
   StoredLayout layout;
   layout.type = SampleType::kFloat;
-  layout.transfer.kind = Transfer::Kind::kLinear;
+  layout.color.transfer.kind = Transfer::Kind::kLinear;
   const std::vector<float> samples = {3, -2, 0.5F, 1.5F, 3, -2, 0.5F, -0.25F, 3, 0, 0, 0.5F, 3, 0, 0, INFINITY};
   std::vector<warp::Pixel> pixels(4);
   const PixelFaults expected{.nonfinite = 1, .alpha_outside = 2};
@@ -113,7 +113,7 @@ TEST(PixelCodec, IntegersAboveAlphaAreHeldInBothPremultipliedForms) {
   for (const AlphaKind kind : {AlphaKind::kPremultiplied, AlphaKind::kStoredAssociated}) {
     StoredLayout layout;
     layout.type = SampleType::kU16;
-    layout.transfer.kind = Transfer::Kind::kLinear;
+    layout.color.transfer.kind = Transfer::Kind::kLinear;
     layout.alpha = kind;
     const std::vector<std::uint16_t> samples = {65535, 0, 1, 2, 9, 8, 0, 0, 13107, 0, 26214, 26214};
     std::vector<warp::Pixel> pixels(3);
