@@ -1,5 +1,9 @@
 #include "cli/cmd_import.h"
 
+#include <filesystem>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "cli/command_line.h"
@@ -28,29 +32,28 @@ std::string summary(const project::Project& project) {
   return text;
 }
 
-/// The options with the pictures that the files name, where the user names none.
-ImportOptions with_pictures(ImportOptions options) {
-  if (!options.source.empty() && !options.destination.empty()) return options;
+/// The source's picture and the destination's: as the user names them, else as the files do.
+std::pair<std::filesystem::path, std::filesystem::path> pictures_of(const ImportOptions& options) {
+  std::filesystem::path source = options.source, destination = options.destination;
+  if (!source.empty() && !destination.empty()) return {source, destination};
   const std::vector<std::filesystem::path> named = as_asked([&] { return exchange::pictures_in(options.files); });
-  if (named.empty()) {
-    throw ArgumentError(options.source.empty() ? "--source" : "--destination",
-                        "is required, for these files name no pictures");
-  }
-  if (options.source.empty()) options.source = named[project::kSource];
-  if (options.destination.empty()) options.destination = named[project::kDestination];
-  return options;
+  if (named.empty())
+    throw ArgumentError(source.empty() ? "--source" : "--destination", "is required, for these files name no pictures");
+  if (source.empty()) source = named[project::kSource];
+  if (destination.empty()) destination = named[project::kDestination];
+  return {source, destination};
 }
 
 }  // namespace
 
-int run_import(const ImportOptions& asked, Output& output) {
-  const ImportOptions options = with_pictures(asked);
+int run_import(const ImportOptions& options, Output& output) {
+  const auto [source, destination] = pictures_of(options);
   if (options.output.extension() != ".json")
     throw ArgumentError(options.output.string(), "is no name for a project; it should end in .json");
   project::Project project;
-  project.pictures[project::kSource].image = relative_to_project(options.output, options.source);
-  project.pictures[project::kDestination].image = relative_to_project(options.output, options.destination);
-  const exchange::ImportInput input{options.files, picture_size(options.source), picture_size(options.destination)};
+  project.pictures[project::kSource].image = relative_to_project(options.output, source);
+  project.pictures[project::kDestination].image = relative_to_project(options.output, destination);
+  const exchange::ImportInput input{options.files, picture_size(source), picture_size(destination)};
   const exchange::ImportReport report = as_asked([&] { return exchange::import_into(project, input); });
   project::save(project, options.output, options.overwrite);
   for (const std::string& remark : report.remarks) output.note(remark);

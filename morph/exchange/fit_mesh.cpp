@@ -151,22 +151,22 @@ void fit_to_pictures(std::span<PictureMesh> meshes, std::vector<std::string>& re
   }
 }
 
-void unfold(PictureMesh& one, std::vector<std::string>& remarks) {
-  if (warp::find_folds(one.mesh).empty()) return;
-  const warp::Mesh before = one.mesh;
-  if (!relax_folds(one.mesh)) {
-    one.mesh = before;
-    blend_with_even(one.mesh, one.size);
+void unfold(PictureMesh& mesh, std::vector<std::string>& remarks) {
+  if (warp::find_folds(mesh.mesh).empty()) return;
+  const warp::Mesh before = mesh.mesh;
+  if (!relax_folds(mesh.mesh)) {
+    mesh.mesh = before;
+    blend_with_even(mesh.mesh, mesh.size);
   }
   int moved = 0;
   double most = 0;
   for (std::size_t i = 0; i < before.vertices.size(); ++i) {
-    const double distance = cv::norm(one.mesh.vertices[i] - before.vertices[i]);
+    const double distance = cv::norm(mesh.mesh.vertices[i] - before.vertices[i]);
     if (distance > 0) ++moved;
     most = std::max(most, distance);
   }
   remarks.push_back(
-      fmt::format("{}: folded over; {} vertices were moved by up to {:.1f} pixels", one.name, moved, most));
+      fmt::format("{}: folded over; {} vertices were moved by up to {:.1f} pixels", mesh.name, moved, most));
 }
 
 }  // namespace morphkit::exchange

@@ -96,15 +96,14 @@ PixelFaults PixelDecoder::decode_samples(const Sample* row, int width, warp::Pix
     for (int c = 0; c < 3; ++c) {
       if (colors[c] < 0) continue;
       const Sample sample = row[colors[c]];
-      if (layout_.a < 0) {
-        pixel[c] = straight(sample);
-      } else if (layout_.alpha == AlphaKind::kStraight) {
-        pixel[c] = straight(sample) * alpha;
-      } else if (!kIsFloat && number(sample) > alpha) {
+      const bool is_multiplied = layout_.a >= 0 && layout_.alpha != AlphaKind::kStraight;
+      if (is_multiplied && !kIsFloat && number(sample) > alpha) {
         pixel[c] = alpha;
         above_alpha = true;
-      } else if (layout_.alpha == AlphaKind::kPremultiplied) {
+      } else if (layout_.a < 0 || layout_.alpha == AlphaKind::kPremultiplied) {
         pixel[c] = straight(sample);
+      } else if (!is_multiplied) {
+        pixel[c] = straight(sample) * alpha;
       } else {
         pixel[c] = alpha > 0 ? linear(number(sample) / alpha) * alpha : 0.0F;
       }
