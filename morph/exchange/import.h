@@ -69,10 +69,9 @@ std::vector<std::filesystem::path> pictures_in(const std::vector<std::filesystem
 ImportReport import_into(project::Project& project, const ImportInput& input);
 
 /// Writes what the format can hold. @return remarks: what it cannot hold, a sentence each.
-/// @throws Error kUnsupported as import_into, and if two of the files are one; kBadInput if the project has not what
-/// the
-///         format is for; kIo (nothing is replaced then that was there, unless only a later one of the files fails to
-///         be put in place).
+/// @throws Error kUnsupported as import_into, and if two of the files are one; kBadInput if the project lacks what the
+///         format holds; kIo (nothing is replaced then that was there, unless only a later one of the files fails to be
+///         put in place).
 std::vector<std::string> export_to(const project::Project& project, const ExportOutput& output);
 
 /// A .mesh file of xmorph or gtkmorph.

@@ -11,8 +11,7 @@ namespace morphkit::json {
 /// has and `original` lacks.
 /// @param original  a valid document, located in `text`; must outlive the result, which imitates its spacing.
 /// @param full      with all defaults, @param minimal without. Where it says so (Hints::identity, Hints::same), lists
-/// are
-///                  merged by id and other spellings of the same value stay.
+///                  are merged by id and other spellings of the same value stay.
 /// Flat arrays that have changed are taken apart in all three; what they say stays.
 Node merge(Document& original, const std::string& text, Node& full, Node& minimal);
 

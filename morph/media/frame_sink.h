@@ -56,10 +56,9 @@ class FrameSink {
 /// `.webm` (VP9), `.mkv` (FFV1), `.mov` (ProRes), `.gif`, `.apng`; a plain image name for a single frame
 /// (`single_frame`). video_format.h says how each kind of video is made.
 /// @throws Error kUnsupported for an unknown kind, a name without a place for the frame number, or an option that the
-/// kind
-///         does not support (quality, preset, depth, compression); kIo if ffmpeg is missing, if the folder is missing
-///         or cannot be written, or if the video exists and `options.image.overwrite` is off. Existing frame files are
-///         refused one by one, by `write`.
+///         kind does not support (quality, preset, depth, compression); kIo if ffmpeg is missing, if the folder is
+///         missing or cannot be written, or if the video exists and `options.image.overwrite` is off. Existing frame
+///         files are refused one by one, by `write`.
 std::unique_ptr<FrameSink> open_sink(const std::filesystem::path& output, const SinkOptions& options,
                                      bool single_frame);
 

@@ -28,9 +28,8 @@ const WritableFormat* writable_format(const std::filesystem::path& file);
 std::string writable_extensions();
 
 /// The format of `file` by its first bytes ("png", "openexr", ...). TGA has no such bytes and goes by its extension.
-/// @throws Error kIo if it is missing, a folder or unreadable; kBadInput if it is empty; kUnsupported if it is of no
-/// known
-///         format.
+/// @throws Error kIo if it is missing, a folder or unreadable; kBadInput if it is empty; kUnsupported if the format
+///         is unknown.
 std::string sniff_format(const std::filesystem::path& file);
 
 /// "8 bit" | "16 bit" | "half" | "float".

@@ -49,8 +49,7 @@ class Warper {
 
   /// Positions in every picture for the canvas rows from `top` on, all sides in one pass.
   /// @param maps     one per side, as wide as the canvas, of equal heights; written through. NaN: nothing there.
-  /// @param weights  the dissolve weight of each picture but the first, per pixel, of the same size as the maps; the
-  /// first
+  /// @param weights  the dissolve weight of each picture but the first, per pixel, of the size of the maps; the first
   ///                 picture has the rest. Empty: not wanted.
   virtual void positions(int top, std::span<warp::Map> maps, Pixels pixels, std::span<cv::Mat1f> weights) const = 0;
 
