@@ -116,6 +116,7 @@ ImageReader::ImageReader(const fs::path& file) : file_(file), format_(sniff_form
       spec_["oiio:UnassociatedAlpha"] = 1;
       if (const std::span<const std::uint8_t> icc = webp_profile(bytes_); !icc.empty())
         spec_.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(icc.size())), icc.data());
+      spec_["Orientation"] = webp_orientation(bytes_);
     } else {
       open();
     }

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
+#include "morph/media/exif_orientation.h"
 
 namespace morphkit::media {
 namespace {
@@ -31,6 +32,20 @@ WebPBitstreamFeatures features_of(const std::filesystem::path& file, std::span<c
   return features;
 }
 
+/// The data of the first chunk of that name; empty if there is none.
+/// RIFF: a header of 12 bytes, then chunks of a name, a size (little endian) and the data, padded to an even size.
+std::span<const std::uint8_t> find_chunk(std::span<const std::uint8_t> bytes, std::string_view name) {
+  constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;
+  for (std::size_t at = kFileHeader; at + kChunkHeader <= bytes.size();) {
+    const auto chunk = bytes.subspan(at);
+    const std::size_t size = chunk[4] | chunk[5] << 8U | chunk[6] << 16U | static_cast<std::size_t>(chunk[7]) << 24U;
+    if (size > chunk.size() - kChunkHeader) return {};
+    if (std::equal(name.begin(), name.end(), chunk.begin())) return chunk.subspan(kChunkHeader, size);
+    at += kChunkHeader + size + size % 2;
+  }
+  return {};
+}
+
 }  // namespace
 
 WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
@@ -38,18 +53,16 @@ WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::u
   return {features.width, features.height, features.has_alpha != 0};
 }
 
-/// RIFF: a header of 12 bytes, then chunks of a name, a size (little endian) and the data, padded to an even size.
 std::span<const std::uint8_t> webp_profile(std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t kFileHeader = 12, kChunkHeader = 8;
-  constexpr std::string_view kName = "ICCP";
-  for (std::size_t at = kFileHeader; at + kChunkHeader <= bytes.size();) {
-    const auto chunk = bytes.subspan(at);
-    const std::size_t size = chunk[4] | chunk[5] << 8U | chunk[6] << 16U | static_cast<std::size_t>(chunk[7]) << 24U;
-    if (size > chunk.size() - kChunkHeader) return {};
-    if (std::equal(kName.begin(), kName.end(), chunk.begin())) return chunk.subspan(kChunkHeader, size);
-    at += kChunkHeader + size + size % 2;
-  }
-  return {};
+  return find_chunk(bytes, "ICCP");
+}
+
+int webp_orientation(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kOfJpeg("Exif\0\0", 6);  // some writers put it before the data, as JPEG does
+  std::span<const std::uint8_t> exif = find_chunk(bytes, "EXIF");
+  if (exif.size() >= kOfJpeg.size() && std::equal(kOfJpeg.begin(), kOfJpeg.end(), exif.begin()))
+    exif = exif.subspan(kOfJpeg.size());
+  return exif_orientation(exif).value_or(1);
 }
 
 std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {

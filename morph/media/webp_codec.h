@@ -21,6 +21,9 @@ WebpHeader webp_header(const std::filesystem::path& file, std::span<const std::u
 /// The ICC profile in the file; empty if there is none.
 std::span<const std::uint8_t> webp_profile(std::span<const std::uint8_t> bytes);
 
+/// The orientation by the Exif data in the file, 1 to 8; 1 if there are none.
+int webp_orientation(std::span<const std::uint8_t> bytes);
+
 /// 8-bit, unpremultiplied RGBA. @throws Error kBadInput if it is damaged or cut short.
 std::vector<std::uint8_t> decode_webp(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 

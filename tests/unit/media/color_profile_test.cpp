@@ -4,13 +4,13 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <lcms2.h>
-#include <webp/encode.h>
 
 #include <array>
 #include <cmath>
 #include <opencv2/core/matx.hpp>
 
 #include "tests/unit/media/image_support.h"
+#include "tests/unit/media/webp_support.h"
 #include "warp/image/color.h"
 
 namespace morphkit::media {
@@ -139,24 +139,7 @@ TEST(ColorProfile, AWebpFileHasOneToo) {
   const TemporaryFolder folder;
   Bytes pixels;
   for (int i = 0; i < 16 * 16; ++i) pixels.insert(pixels.end(), {234, 51, 35});
-  std::uint8_t* encoded = nullptr;
-  const std::size_t size = WebPEncodeLosslessRGB(pixels.data(), 16, 16, 16 * 3, &encoded);
-  Bytes icc = rgb_profile(kDisplayP3, 0, "Display P3");
-  const auto chunk = [](const char* name, const Bytes& data) {
-    Bytes result(name, name + 4);
-    for (unsigned shift = 0; shift < 32; shift += 8) result.push_back(static_cast<std::uint8_t>(data.size() >> shift));
-    result.insert(result.end(), data.begin(), data.end());
-    if (data.size() % 2 == 1) result.push_back(0);
-    return result;
-  };
-  Bytes body = {'W', 'E', 'B', 'P'};
-  const Bytes header = chunk("VP8X", {0x20, 0, 0, 0, 15, 0, 0, 15, 0, 0});  // bit 5: a profile; sizes minus 1
-  const Bytes profile = chunk("ICCP", icc);
-  body.insert(body.end(), header.begin(), header.end());
-  body.insert(body.end(), profile.begin(), profile.end());
-  body.insert(body.end(), encoded + 12, encoded + size);  // the chunks after the RIFF header
-  WebPFree(encoded);
-  test::write_bytes(folder / "p3.webp", chunk("RIFF", body));
+  test::write_webp(folder / "p3.webp", {16, 16}, pixels, {{"ICCP", rgb_profile(kDisplayP3, 0, "Display P3")}});
 
   const cv::Vec3d linear = linear_light({234, 51, 35});
   const Picture picture = read_picture(folder / "p3.webp");

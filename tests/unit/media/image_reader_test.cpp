@@ -10,7 +10,9 @@
 #include <limits>
 #include <numeric>
 
+#include "tests/unit/media/exif_support.h"
 #include "tests/unit/media/image_support.h"
+#include "tests/unit/media/webp_support.h"
 #include "warp/image/color.h"
 
 namespace morphkit::media {
@@ -202,6 +204,26 @@ TEST(ImageHeader, ColorTagsAreObeyed) {
   EXPECT_NEAR(red("gamma.png", "GammaCorrected", 1.8F), std::pow(128.0F / 255.0F, 1.8F), 1e-4);
   EXPECT_EQ(read_info(folder / "gamma.png").color_space, "gamma 1.8");
   EXPECT_EQ(red("gamma22.png", "GammaCorrected", 2.2F), srgb8(128));
+}
+
+/// Phones upload them lying on their side.
+TEST(ImageHeader, AWebpFileIsTurnedAsItsExifDataSay) {
+  const TemporaryFolder folder;
+  const test::Bytes red_over_blue = {255, 0, 0, 255, 0, 0, 255, 0, 0, 0, 0, 255, 0, 0, 255, 0, 0, 255};
+  for (const bool as_in_jpeg : {false, true}) {
+    test::Bytes exif = test::exif_saying(6, as_in_jpeg);
+    if (as_in_jpeg) exif.insert(exif.begin(), {'E', 'x', 'i', 'f', 0, 0});
+    test::write_webp(folder / "a.webp", {3, 2}, red_over_blue, {{"EXIF", exif}});
+    const Picture picture = read_picture(folder / "a.webp");
+    ASSERT_EQ(picture.image.size(), cv::Size(2, 3));
+    EXPECT_EQ(picture.info.orientation, 6);
+    for (int y = 0; y < 3; ++y) {
+      EXPECT_EQ(picture.image(y, 0), warp::Pixel(0, 0, 1, 1)) << "what was below is on the left";
+      EXPECT_EQ(picture.image(y, 1), warp::Pixel(1, 0, 0, 1));
+    }
+  }
+  test::write_webp(folder / "b.webp", {3, 2}, red_over_blue, {{"EXIF", {'I', 'I', 42}}});
+  EXPECT_EQ(read_info(folder / "b.webp").orientation, 1) << "data that cannot be read";
 }
 
 TEST(ImageHeader, KeepsMetadataExceptAttributesThatWouldBeWrong) {
