@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -44,6 +45,30 @@ std::string drain(const OIIO::ImageInput* input) {
   const std::string of_thread = OIIO::geterror();
   if (text.empty()) text = of_thread;
   return text;
+}
+
+/// Call while an exception is handled: tells lack of memory from damage.
+/// @throws Error  that exception, kFailed if memory ran out, or kBadInput.
+[[noreturn]] void fail_reading(const fs::path& file, const std::string& format, const OIIO::ImageSpec& spec) {
+  const auto out_of_memory = [&]() -> Error {
+    constexpr double kBytesPerGb = 1e9;
+    const double bytes = static_cast<double>(spec.width) * spec.height * sizeof(warp::Pixel);
+    return {
+        ErrorKind::kFailed, file.string(),
+        fmt::format("not enough memory for {} x {} pixels ({:.1f} GB)", spec.width, spec.height, bytes / kBytesPerGb)};
+  };
+  try {
+    throw;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory();
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw out_of_memory();
+    bad_input(file, fmt::format("the {} file is damaged ({})", format, error.what()));
+  } catch (const std::exception& error) {
+    bad_input(file, fmt::format("the {} file is damaged ({})", format, error.what()));
+  }
 }
 
 std::vector<std::uint8_t> read_bytes(const fs::path& file) {
@@ -120,10 +145,8 @@ ImageReader::ImageReader(const fs::path& file) : file_(file), format_(sniff_form
     } else {
       open();
     }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    bad_input(file_, fmt::format("the {} file is damaged ({})", format_, error.what()));
+  } catch (...) {
+    fail_reading(file_, format_, spec_);
   }
   check();
   orientation_ = spec_.get_int_attribute("Orientation", 1);
@@ -327,13 +350,8 @@ warp::Image ImageReader::read(ColorSpace space, PixelFaults& faults) {
     const PixelDecoder decoder(stored);
     const warp::Image pixels = format_ == "webp" ? read_webp(decoder) : read_stored(decoder, faults);
     return upright(to_display_window(pixels), orientation_);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::kFailed, file_.string(),
-                fmt::format("not enough memory for {} x {} pixels", spec_.width, spec_.height));
-  } catch (const std::exception& error) {
-    bad_input(file_, fmt::format("the {} file is damaged ({})", format_, error.what()));
+  } catch (...) {
+    fail_reading(file_, format_, spec_);
   }
 }
 

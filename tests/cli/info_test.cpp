@@ -1,5 +1,8 @@
 // Tests cli/cmd_info.cpp, cli/run_info.cpp, cli/picture_info.cpp and cli/project_info.cpp.
 
+#include <zlib.h>
+
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -34,6 +37,49 @@ TEST(Info, CountsPixelsThatAreNotFinite) {
   EXPECT_TRUE(contains(text.out, "not finite   2 pixels")) << text.out << text.err;
   const RunResult json = run_morphkit({"info", "--pixels", "--json", (folder / "a.exr").string()});
   EXPECT_TRUE(contains(json.out, "\"nonfinite_pixels\": 2")) << json.out;
+}
+
+/// 8000 x 8000 pixels of one bit, a file of a few kB; as linear floats they take 1 GB.
+Bytes large_png() {
+  constexpr std::uint32_t kSize = 8000;
+  constexpr std::size_t kRow = 1 + kSize / 8;
+  const auto number = [](std::uint32_t value) {
+    return Bytes{static_cast<std::uint8_t>(value >> 24), static_cast<std::uint8_t>(value >> 16),
+                 static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+  };
+  Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  const auto add_chunk = [&](const std::string& name, const Bytes& data) {
+    Bytes named(name.begin(), name.end());
+    named.insert(named.end(), data.begin(), data.end());
+    const auto sum = static_cast<std::uint32_t>(crc32(0, named.data(), static_cast<uInt>(named.size())));
+    for (const Bytes& part : {number(static_cast<std::uint32_t>(data.size())), named, number(sum)})
+      file.insert(file.end(), part.begin(), part.end());
+  };
+  Bytes header = number(kSize);
+  for (const std::uint8_t byte : number(kSize)) header.push_back(byte);
+  header.insert(header.end(), {1, 0, 0, 0, 0});
+  const Bytes rows(kRow * kSize, 0);
+  Bytes packed(compressBound(rows.size()));
+  uLongf size = packed.size();
+  compress(packed.data(), &size, rows.data(), rows.size());
+  packed.resize(size);
+  add_chunk("IHDR", header);
+  add_chunk("IDAT", packed);
+  add_chunk("IEND", {});
+  return file;
+}
+
+TEST(Info, APictureThatNeedsMoreMemoryThanThereIsIsNotCalledDamaged) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer itself needs more address space than the limit";
+#endif
+  TemporaryFolder folder;
+  write_bytes(folder / "large.png", large_png());
+  const std::vector<std::string> arguments = {
+      "--as=1200000000", morphkit_program().string(), "info", "--pixels", "-j", "1", (folder / "large.png").string()};
+  const RunResult result = run_program("/usr/bin/prlimit", arguments);
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_TRUE(contains(result.err, "large.png: not enough memory for 8000 x 8000 pixels (1.0 GB)")) << result.err;
 }
 
 TEST(Info, TellsOfAProject) {
